@@ -1,0 +1,1 @@
+//! Scene → bytes: plans, plants, surfaces, schedules, reports. Knows the scene and nothing above it.

@@ -1,0 +1,1 @@
+//! Points in polygons. Knows polygons and seeds and no language.

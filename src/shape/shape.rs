@@ -1,0 +1,45 @@
+//! A shape: scope, geometry, what it inherits, and its seed.
+
+use crate::seed::Seed;
+use crate::shape::{Geometry, Scope};
+use crate::value::Value;
+use std::sync::Arc;
+
+/// A shape of a derivation; its symbol and rule are the node's that holds it.
+#[derive(Clone, Debug)]
+pub struct Shape {
+    /// Where it is, how it is turned, how large.
+    pub scope: Scope,
+    /// What it is made of.
+    pub geometry: Geometry,
+    /// The attributes of its rule file and imports, by slot; shared until one is set.
+    pub attributes: Arc<[Value]>,
+    /// What it looks like.
+    pub style: Arc<Style>,
+    /// Its place among its siblings.
+    pub ordinals: Ordinals,
+    /// Where its random numbers come from.
+    pub seed: Seed,
+}
+
+/// What a shape looks like: inherited, shared until changed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Style {
+    /// `color()`: red, green, blue, opacity in 0 to 1.
+    pub color: Option<[f32; 4]>,
+    /// `set(material.name, "gravel")`: a ground cover of the catalogue, or the user's own word.
+    pub material: Option<Arc<str>>,
+    /// The last `label()`.
+    pub label: Option<Arc<str>>,
+}
+
+/// The last index and total that a split and a component split gave.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Ordinals {
+    /// `split.index`, `split.total`.
+    pub split: (u32, u32),
+    /// `comp.index`, `comp.total`.
+    pub comp: (u32, u32),
+    /// `place.index`, `place.total`.
+    pub place: (u32, u32),
+}

@@ -1,0 +1,90 @@
+//! Small things about words and numbers that several rooms say the same way.
+
+/// The candidate nearest to `word`, where one is near enough to be a likely slip of the pen.
+///
+/// Case and underscores count little: `SetBack` finds `setback`. Cost: linear in the candidates.
+pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let folded = fold(word);
+    let allowed = (folded.chars().count() / 3).clamp(1, 3);
+    candidates
+        .into_iter()
+        .filter(|c| *c != word)
+        .map(|c| (distance(&folded, &fold(c)), c))
+        .filter(|(d, _)| *d <= allowed)
+        .min_by_key(|(d, c)| (*d, c.len().abs_diff(word.len()), *c))
+        .map(|(_, c)| c)
+}
+
+/// A number as people write it: at most `decimals` places, no trailing zeros, never `-0`.
+pub fn number(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    let text = match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.'),
+        false => &text,
+    };
+    if text == "-0" { "0".into() } else { text.into() }
+}
+
+/// A count with its noun: `1 plant`, `1,204 plants`.
+pub fn counted(count: usize, noun: &str) -> String {
+    format!("{} {noun}{}", thousands(count), if count == 1 { "" } else { "s" })
+}
+
+/// A whole number with commas between thousands.
+pub fn thousands(count: usize) -> String {
+    let digits = count.to_string();
+    let mut text = String::with_capacity(digits.len() + digits.len() / 3);
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+fn fold(word: &str) -> String {
+    word.chars().filter(|c| *c != '_' && *c != '-').flat_map(char::to_lowercase).collect()
+}
+
+/// Damerau–Levenshtein distance with adjacent transpositions (optimal string alignment).
+fn distance(a: &str, b: &str) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    let mut before: Vec<usize> = vec![0; b.len() + 1];
+    let mut above: Vec<usize> = (0..=b.len()).collect();
+    for i in 1..=a.len() {
+        let mut row = vec![i; b.len() + 1];
+        for j in 1..=b.len() {
+            let change = usize::from(a[i - 1] != b[j - 1]);
+            row[j] = (above[j] + 1).min(row[j - 1] + 1).min(above[j - 1] + change);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                row[j] = row[j].min(before[j - 2] + 1);
+            }
+        }
+        before = std::mem::replace(&mut above, row);
+    }
+    above[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slips_are_found_and_strangers_are_not() {
+        let names = ["split", "setback", "scatter", "extrude"];
+        assert_eq!(nearest("splt", names), Some("split"));
+        assert_eq!(nearest("SetBack", names), Some("setback"));
+        assert_eq!(nearest("extrdue", names), Some("extrude"));
+        assert_eq!(nearest("window", names), None);
+    }
+
+    #[test]
+    fn numbers_read_well() {
+        assert_eq!(number(3.0, 3), "3");
+        assert_eq!(number(-0.0001, 2), "0");
+        assert_eq!(number(2.5, 3), "2.5");
+        assert_eq!(counted(1204, "plant"), "1,204 plants");
+        assert_eq!(counted(1, "rule"), "1 rule");
+    }
+}

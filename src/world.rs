@@ -1,0 +1,97 @@
+//! The one door for files: rule files, layouts, catalogues and models come in through [`World`].
+//!
+//! Disk, browser, tests and editor each have one. Paths are as written by the user, joined to the folder of the file
+//! that names them by [`join`]; a world decides what they may reach.
+
+use std::sync::Arc;
+
+/// Why a file could not be had.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum WorldError {
+    /// There is no such file.
+    #[error("there is no file `{0}`")]
+    Missing(String),
+    /// The path leads out of what this world shows.
+    #[error("`{0}` lies outside the place's folder")]
+    Outside(String),
+    /// The file is larger than the limit.
+    #[error("`{path}` has {bytes} bytes, more than the limit of {limit}")]
+    TooLarge {
+        /// The file.
+        path: String,
+        /// Its size.
+        bytes: u64,
+        /// The largest allowed.
+        limit: u64,
+    },
+    /// The system refused.
+    #[error("`{path}` cannot be read: {reason}")]
+    Unreadable {
+        /// The file.
+        path: String,
+        /// The system's words.
+        reason: String,
+    },
+}
+
+/// Where files come from.
+pub trait World: Sync {
+    /// The bytes of a text the user wrote: rules, layout, catalogue.
+    fn source(&self, path: &str) -> Result<Arc<[u8]>, WorldError>;
+    /// The bytes of a model or picture that a text names.
+    fn asset(&self, path: &str) -> Result<Arc<[u8]>, WorldError>;
+}
+
+/// `path` as seen from the file `from`: relative to its folder, with `.` and `..` folded.
+pub fn join(from: &str, path: &str) -> String {
+    let rooted = path.starts_with('/');
+    let base = if rooted { "" } else { from.rsplit_once('/').map_or("", |(folder, _)| folder) };
+    let mut parts: Vec<&str> = Vec::new();
+    for part in base.split('/').chain(path.split('/')) {
+        match part {
+            "" | "." => {}
+            ".." if parts.last().is_some_and(|p| *p != "..") => drop(parts.pop()),
+            part => parts.push(part),
+        }
+    }
+    let root = if rooted || base.starts_with('/') { "/" } else { "" };
+    format!("{root}{}", parts.join("/"))
+}
+
+/// A world of texts in memory, for tests, examples and editors.
+#[derive(Clone, Debug, Default)]
+pub struct MemoryWorld {
+    files: std::collections::BTreeMap<String, Arc<[u8]>>,
+}
+
+impl MemoryWorld {
+    /// The same world with one more file.
+    pub fn with(mut self, path: impl Into<String>, bytes: impl AsRef<[u8]>) -> MemoryWorld {
+        self.files.insert(path.into(), bytes.as_ref().into());
+        self
+    }
+}
+
+impl World for MemoryWorld {
+    fn source(&self, path: &str) -> Result<Arc<[u8]>, WorldError> {
+        self.files.get(path).cloned().ok_or_else(|| WorldError::Missing(path.into()))
+    }
+
+    fn asset(&self, path: &str) -> Result<Arc<[u8]>, WorldError> {
+        self.source(path)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::join;
+
+    #[test]
+    fn paths_are_relative_to_the_file_that_names_them() {
+        assert_eq!(join("a/b.cga", "c.cga"), "a/c.cga");
+        assert_eq!(join("a/b.cga", "../c.cga"), "c.cga");
+        assert_eq!(join("b.cga", "../c.cga"), "../c.cga");
+        assert_eq!(join("/a/b.cga", "./c.cga"), "/a/c.cga");
+        assert_eq!(join("a/b.cga", "/c.cga"), "/c.cga");
+    }
+}
