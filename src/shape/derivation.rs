@@ -53,6 +53,8 @@ pub struct Node {
     pub parent: NodeId,
     /// Its symbol, an index into [`Derivation::symbols`].
     pub symbol: u32,
+    /// The rule that replaced it, an index into the program's rules; none for leaves by name.
+    pub rule: Option<u32>,
 }
 
 /// A leaf: what is built, and the node whose rule made it.

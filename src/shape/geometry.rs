@@ -47,6 +47,8 @@ pub struct Placed {
     pub appearance: u32,
     /// Age in years; 0 where the element has none.
     pub age: f64,
+    /// It is a plant: round on the plan.
+    pub round: bool,
 }
 
 impl Plane {

@@ -1,11 +1,17 @@
 //! Shapes: scope, geometry, attributes, and the tree a derivation makes of them.
 
 mod derivation;
+mod footprint;
 mod geometry;
+mod measure;
+mod occluders;
 mod scope;
 mod shape;
 
 pub use derivation::{Derivation, LeafOf, Lot, Node, NodeId, Outcome, Print};
 pub use geometry::{Geometry, Placed, Plane};
+pub use footprint::{Extent, Footprint, on_plan};
+pub use measure::Measure;
+pub use occluders::{Occluder, Occluders, Relation};
 pub use scope::{Axis, Frame, Scope};
 pub use shape::{Ordinals, Shape, Style};

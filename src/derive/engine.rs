@@ -1,0 +1,518 @@
+//! One lot: a work list of shapes, derived depth first in the order of the text.
+//!
+//! A rule runs from left to right on the current shape; each symbol met is a successor with the state of that moment,
+//! queued behind the rule. Where a rule names no successor the current shape is what is built; points set on a shape
+//! (`scatter`, `Distr`) do not use it up.
+
+use crate::check::{Alternative, Application, Block, Body, Program, Step, Successor};
+use crate::derive::evaluate::{self, Failure, Names};
+use crate::derive::{Options, Progress, initial, select};
+use crate::diag::{self, Diagnostic, Span};
+use crate::functions::{Initial, Surroundings};
+use crate::layout::Layout;
+use crate::ops::{Effect, Given, Part, Pieces, Problem};
+use crate::seed::Random;
+use crate::shape::{LeafOf, Node, NodeId, Occluder, Occluders, Outcome, Print, Scope, Shape};
+use crate::value::Value;
+use smallvec::SmallVec;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Between two looks at the clock.
+const CLOCK: usize = 1024;
+
+type Args = SmallVec<[Value; 2]>;
+
+/// Derives one region.
+pub(super) fn lot(
+    program: &Program,
+    layout: &Layout,
+    index: usize,
+    rule: u32,
+    options: &Options,
+    progress: &Progress,
+) -> Outcome {
+    let region = &layout.regions[index];
+    let symbol = program.rules[rule as usize].symbol;
+    let start = program.symbols[symbol as usize].clone();
+    let mut shape = initial::shape(region, initial::seed(region, options.seed));
+    let looking = program.looks_around;
+    let mut engine = Engine {
+        program,
+        options,
+        progress,
+        initial: initial::facts(region, start),
+        intra: if looking { initial::intra(layout, region) } else { Occluders::default() },
+        inter: if looking { initial::inter(layout, region) } else { Occluders::default() },
+        lot: region.id.clone(),
+        outcome: Outcome::default(),
+        queue: Vec::new(),
+        begun: Instant::now(),
+    };
+    engine.attributes(&mut shape, region);
+    engine.queue.push(Task { shape, parent: NodeId(0), symbol, rule: Some(rule), args: Args::new(), depth: 0 });
+    engine.run();
+    engine.outcome
+}
+
+/// A shape that waits for its rule.
+struct Task {
+    shape: Shape,
+    parent: NodeId,
+    symbol: u32,
+    rule: Option<u32>,
+    args: Args,
+    depth: u32,
+}
+
+/// Why a rule ends early.
+enum Stop {
+    /// This shape is left out.
+    Branch(Diagnostic),
+    /// A limit: the lot ends here.
+    Lot(Diagnostic),
+}
+
+struct Engine<'a> {
+    program: &'a Program,
+    options: &'a Options<'a>,
+    progress: &'a Progress,
+    initial: Initial,
+    intra: Occluders,
+    inter: Occluders,
+    lot: Arc<str>,
+    outcome: Outcome,
+    queue: Vec<Task>,
+    begun: Instant,
+}
+
+/// A rule at work on a node.
+struct Turn {
+    node: NodeId,
+    args: Args,
+    depth: u32,
+    successors: Vec<Task>,
+}
+
+/// The current shape and what became of it so far.
+struct Current {
+    shape: Shape,
+    random: Random,
+    /// The scope when the rule, piece or bracket began: what `center` centres in.
+    around: Scope,
+    /// Successors and operations so far: the seeds' index.
+    count: u64,
+    /// It has successors, so it is not built itself.
+    used: bool,
+    /// `NIL`.
+    deleted: bool,
+}
+
+impl Current {
+    fn new(shape: Shape) -> Current {
+        let random = shape.seed.draw("rand");
+        Current { around: shape.scope, shape, random, count: 0, used: false, deleted: false }
+    }
+}
+
+impl Engine<'_> {
+    /// The attributes on the initial shape.
+    fn attributes(&mut self, shape: &mut Shape, region: &crate::layout::Region) {
+        let attributes = &self.program.attributes;
+        let given = |slot: usize| {
+            let set = self.options.set.iter().rev().find(|(s, _)| *s == slot).map(|(_, value)| value.clone());
+            let public = attributes[slot].public;
+            set.or_else(|| region.attributes.get(&attributes[slot].name).filter(|_| public).cloned())
+        };
+        let mut random = shape.seed.random();
+        let mut around = Surroundings {
+            shape,
+            random: &mut random,
+            intra: &self.intra,
+            inter: &self.inter,
+            is_ancestor: &|_| false,
+            initial: &self.initial,
+        };
+        let calls = self.options.limits.calls;
+        let (values, failures) = evaluate::attributes(self.program, given, &mut around, calls);
+        shape.attributes = values;
+        for failure in failures {
+            let diagnostic = Diagnostic::error("value", failure.span, failure.message);
+            self.outcome.diagnostics.push(Diagnostic { lot: Some(self.lot.clone()), ..diagnostic });
+        }
+    }
+
+    fn run(&mut self) {
+        while let Some(task) = self.queue.pop() {
+            if let Err(stop) = self.within_limits(&task).and_then(|()| self.task(task)) {
+                match stop {
+                    Stop::Branch(diagnostic) => self.outcome.diagnostics.push(diagnostic),
+                    Stop::Lot(diagnostic) => {
+                        self.outcome.diagnostics.push(diagnostic);
+                        break;
+                    }
+                }
+            }
+            if self.progress.stopped() {
+                break;
+            }
+        }
+        let found = std::mem::take(&mut self.outcome.diagnostics);
+        self.outcome.diagnostics = gathered(found);
+    }
+
+    fn within_limits(&self, task: &Task) -> Result<(), Stop> {
+        let limits = &self.options.limits;
+        let shapes = self.outcome.nodes.len();
+        let message = if task.depth as usize > limits.depth {
+            format!("rules are nested deeper than the limit `depth` of {}", limits.depth)
+        } else if shapes + self.queue.len() >= limits.shapes {
+            format!("the lot has more shapes than the limit `shapes` of {}", limits.shapes)
+        } else if shapes.is_multiple_of(CLOCK) && self.begun.elapsed() > limits.time {
+            format!("the lot takes longer than the limit `time` of {} s", limits.time.as_secs())
+        } else {
+            return Ok(());
+        };
+        let span = task.rule.map_or(Span::default(), |r| self.program.rules[r as usize].span);
+        let hint = "a rule that comes back to itself needs a `case` that ends it";
+        Err(Stop::Lot(self.diagnostic("limit", span, message, task.parent).hint(hint)))
+    }
+
+    fn task(&mut self, task: Task) -> Result<(), Stop> {
+        let node = NodeId(self.outcome.nodes.len() as u32);
+        let parent = if node.0 == 0 { node } else { task.parent };
+        self.outcome.nodes.push(Node { parent, symbol: task.symbol, rule: task.rule });
+        let Some(rule) = task.rule else {
+            self.leaf(node, task.shape);
+            return Ok(());
+        };
+        let mut turn = Turn { node, args: task.args, depth: task.depth, successors: Vec::new() };
+        let program = self.program;
+        self.body(&program.rules[rule as usize].body, &mut turn, Current::new(task.shape))?;
+        self.queue.extend(turn.successors.into_iter().rev());
+        Ok(())
+    }
+
+    /// Runs a body on a shape of its own; what names no successor is built.
+    fn body(&mut self, body: &Body, turn: &mut Turn, mut current: Current) -> Result<(), Stop> {
+        self.steps(body, turn, &mut current)?;
+        if !current.used && !current.deleted {
+            self.leaf(turn.node, current.shape);
+        }
+        Ok(())
+    }
+
+    fn steps(&mut self, body: &Body, turn: &mut Turn, current: &mut Current) -> Result<(), Stop> {
+        match body {
+            Body::Steps(steps) => {
+                for step in steps {
+                    self.step(step, turn, current)?;
+                    if current.deleted {
+                        break;
+                    }
+                }
+                Ok(())
+            }
+            Body::Case(arms, otherwise, span) => {
+                for (test, body) in arms {
+                    if self.frame(turn, current).with(|n, a| evaluate::truth(test, n, a, *span)).map_err(|f| self.failed(f, turn))? {
+                        return self.steps(body, turn, current);
+                    }
+                }
+                self.steps(otherwise, turn, current)
+            }
+            Body::Chance(arms, otherwise, span) => {
+                let mut left = current.random.uniform(0.0, 100.0);
+                for (percent, body) in arms {
+                    left -= self.frame(turn, current).with(|n, a| evaluate::number(percent, n, a, *span)).map_err(|f| self.failed(f, turn))?;
+                    if left < 0.0 {
+                        return self.steps(body, turn, current);
+                    }
+                }
+                self.steps(otherwise, turn, current)
+            }
+            Body::Alternatives(alternatives) => match self.alternative(alternatives, turn, current)? {
+                Some(body) => self.steps(body, turn, current),
+                None => Ok(()),
+            },
+        }
+    }
+
+    /// Of the alternatives whose condition holds one by probability, or the first where none has one.
+    fn alternative<'p>(
+        &mut self,
+        alternatives: &'p [Alternative],
+        turn: &Turn,
+        current: &mut Current,
+    ) -> Result<Option<&'p Body>, Stop> {
+        let mut open: SmallVec<[(&Body, Option<f64>); 4]> = SmallVec::new();
+        for alternative in alternatives {
+            let span = alternative.span;
+            let mut frame = self.frame(turn, current);
+            let holds = alternative.condition.as_ref().map_or(Ok(true), |c| frame.with(|n, a| evaluate::truth(c, n, a, span)));
+            if holds.map_err(|f| self.failed(f, turn))? {
+                let weight = alternative.probability.as_ref().map(|p| {
+                    self.frame(turn, current).with(|n, a| evaluate::number(p, n, a, span))
+                });
+                open.push((&alternative.body, weight.transpose().map_err(|f| self.failed(f, turn))?));
+            }
+        }
+        if open.iter().all(|(_, weight)| weight.is_none()) {
+            return Ok(open.first().map(|(body, _)| *body));
+        }
+        // What has no probability of its own shares what the others leave of 1.
+        let given: f64 = open.iter().filter_map(|(_, weight)| *weight).sum();
+        let silent = open.iter().filter(|(_, weight)| weight.is_none()).count().max(1) as f64;
+        let rest = (1.0 - given).max(0.0) / silent;
+        let weights: SmallVec<[f64; 4]> = open.iter().map(|(_, weight)| weight.unwrap_or(rest)).collect();
+        Ok(current.random.choose(&weights).map(|index| open[index].0))
+    }
+
+    fn step(&mut self, step: &Step, turn: &mut Turn, current: &mut Current) -> Result<(), Stop> {
+        match step {
+            Step::Delete => current.deleted = true,
+            Step::Successor(successor) => self.successor(successor, turn, current)?,
+            Step::Apply(application) => self.application(application, turn, current)?,
+            Step::Push(body) => {
+                let mut inner = Current::new(current.shape.clone());
+                inner.shape.seed = current.shape.seed.child(current.count);
+                inner.random = inner.shape.seed.draw("rand");
+                current.count += 1;
+                self.steps(body, turn, &mut inner)?;
+                current.used |= inner.used;
+            }
+        }
+        Ok(())
+    }
+
+    fn successor(&mut self, successor: &Successor, turn: &mut Turn, current: &mut Current) -> Result<(), Stop> {
+        let mut args = Args::new();
+        for arg in &successor.args {
+            let value = self.frame(turn, current).with(|n, a| evaluate::evaluate(arg, n, a));
+            args.push(value.map_err(|f| self.failed(f, turn))?);
+        }
+        let mut shape = current.shape.clone();
+        shape.seed = current.shape.seed.child(current.count);
+        current.count += 1;
+        current.used = true;
+        let (symbol, rule) = (successor.symbol, successor.rule);
+        turn.successors.push(Task { shape, parent: turn.node, symbol, rule, args, depth: turn.depth + 1 });
+        Ok(())
+    }
+
+    fn application(&mut self, application: &Application, turn: &mut Turn, current: &mut Current) -> Result<(), Stop> {
+        let mut frame = self.frame(turn, current);
+        let cuts = match &application.block {
+            Block::Cuts(cuts) => select::cuts(cuts, &mut frame),
+            _ => Ok(Vec::new()),
+        };
+        let cuts = cuts.map_err(|f| self.failed(f, turn))?;
+        let mut values = self.arguments(application, turn, current)?;
+        let chosen = match &application.block {
+            Block::Selectors(selectors) => {
+                let components = application.operation.components(&mut values.clone(), &current.shape);
+                let components = components.map_err(|p| self.problem(application.span, p, turn))?;
+                let mut frame = self.frame(turn, current);
+                select::choose(selectors, &components, &mut frame).map_err(|f| self.failed(f, turn))?
+            }
+            _ => Vec::new(),
+        };
+        let seed = current.shape.seed.child(current.count);
+        current.count += 1;
+        let given = Given {
+            cuts: &cuts,
+            chosen: &chosen,
+            seed,
+            around: &current.around,
+            intra: &self.intra,
+            catalogue: self.options.catalogue,
+            world: self.options.world,
+            most: self.options.limits.children,
+        };
+        let pieces = application.operation.apply(&mut values, current.shape.clone(), &given);
+        match pieces.map_err(|p| self.problem(application.span, p, turn))? {
+            Pieces::Changed(shape) => current.shape = shape,
+            Pieces::Told(shape, effect) => {
+                current.shape = shape;
+                self.effect(effect, turn, current);
+            }
+            Pieces::Parts(parts, kept) => {
+                current.used |= kept.is_none();
+                self.parts(application, parts, seed, turn)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn arguments(
+        &mut self,
+        application: &Application,
+        turn: &Turn,
+        current: &mut Current,
+    ) -> Result<SmallVec<[Option<Value>; 6]>, Stop> {
+        let mut values = SmallVec::with_capacity(application.args.len());
+        for arg in &application.args {
+            let value = match arg {
+                Some(code) => {
+                    let value = self.frame(turn, current).with(|n, a| evaluate::evaluate(code, n, a));
+                    Some(value.map_err(|f| self.failed(f, turn))?)
+                }
+                None => None,
+            };
+            values.push(value);
+        }
+        Ok(values)
+    }
+
+    /// Runs the block's bodies on the pieces; a piece that fails is left out and the others go on.
+    fn parts(
+        &mut self,
+        application: &Application,
+        parts: Vec<Part>,
+        seed: crate::seed::Seed,
+        turn: &mut Turn,
+    ) -> Result<(), Stop> {
+        if self.outcome.nodes.len() + turn.successors.len() + parts.len() > self.options.limits.shapes {
+            let message = format!("the lot has more shapes than the limit `shapes` of {}", self.options.limits.shapes);
+            return Err(Stop::Lot(self.diagnostic("limit", application.span, message, turn.node)));
+        }
+        for (index, part) in parts.into_iter().enumerate() {
+            let mut shape = part.shape;
+            shape.seed = seed.child(index as u64);
+            let Some(body) = application.bodies.get(part.entry as usize) else { continue };
+            match self.body(body, turn, Current::new(shape)) {
+                Err(Stop::Branch(diagnostic)) => self.outcome.diagnostics.push(diagnostic),
+                other => other?,
+            }
+        }
+        Ok(())
+    }
+
+    fn effect(&mut self, effect: Effect, turn: &Turn, current: &Current) {
+        match effect {
+            Effect::Report(key, value) => self.outcome.reports.push((key, value)),
+            Effect::Print(value) => {
+                let symbol = self.outcome.nodes[turn.node.0 as usize].symbol;
+                self.outcome.prints.push(Print { symbol, value });
+            }
+            Effect::Label(label) if self.program.looks_around => {
+                let footprint = current.shape.footprint();
+                self.intra.add(Occluder { label: Some(label), node: Some(turn.node), footprint });
+            }
+            Effect::Label(_) => {}
+        }
+    }
+
+    fn leaf(&mut self, node: NodeId, shape: Shape) {
+        if self.program.looks_around && shape.is_closed() {
+            self.intra.add(Occluder { label: None, node: Some(node), footprint: shape.footprint() });
+        }
+        self.outcome.leaves.push(LeafOf { node, shape });
+    }
+
+    fn frame<'f>(&'f self, turn: &'f Turn, current: &'f mut Current) -> Frame<'f> {
+        Frame {
+            names: Names { program: self.program, params: &turn.args, calls: self.options.limits.calls },
+            shape: &current.shape,
+            random: &mut current.random,
+            intra: &self.intra,
+            inter: &self.inter,
+            initial: &self.initial,
+            nodes: &self.outcome.nodes,
+            node: turn.node,
+        }
+    }
+
+    fn failed(&self, failure: Failure, turn: &Turn) -> Stop {
+        Stop::Branch(self.diagnostic("value", failure.span, failure.message, turn.node))
+    }
+
+    fn problem(&self, span: Span, problem: Problem, turn: &Turn) -> Stop {
+        let mut diagnostic = self.diagnostic("geometry", span, problem.message, turn.node);
+        diagnostic.hints = problem.hints;
+        if problem.fatal { Stop::Lot(diagnostic) } else { Stop::Branch(diagnostic) }
+    }
+
+    /// An error with the lot and the rules on the way down.
+    fn diagnostic(&self, code: &'static str, span: Span, message: String, node: NodeId) -> Diagnostic {
+        let mut diagnostic = Diagnostic::error(code, span, message);
+        diagnostic.lot = Some(self.lot.clone());
+        diagnostic.trace = ancestors(&self.outcome.nodes, node)
+            .filter_map(|id| self.outcome.nodes.get(id.0 as usize)?.rule)
+            .take(DEEPEST_TRACE)
+            .map(|rule| self.program.rule_step(rule))
+            .collect();
+        diagnostic
+    }
+}
+
+/// Rules that a trace shows, from the innermost.
+const DEEPEST_TRACE: usize = 8;
+
+/// What an expression is evaluated with: the current shape and all around it.
+pub(super) struct Frame<'f> {
+    names: Names<'f>,
+    shape: &'f Shape,
+    random: &'f mut Random,
+    intra: &'f Occluders,
+    inter: &'f Occluders,
+    initial: &'f Initial,
+    nodes: &'f [Node],
+    node: NodeId,
+}
+
+impl Frame<'_> {
+    /// Evaluates on the current shape.
+    pub fn with<T>(&mut self, f: impl FnOnce(&Names, &mut Surroundings) -> T) -> T {
+        self.on(self.shape, f)
+    }
+
+    /// Evaluates on another shape: a component that a selector asks about.
+    pub fn on<T>(&mut self, shape: &Shape, f: impl FnOnce(&Names, &mut Surroundings) -> T) -> T {
+        let is_ancestor = |other: NodeId| ancestors(self.nodes, self.node).any(|node| node == other);
+        let mut around = Surroundings {
+            shape,
+            random: self.random,
+            intra: self.intra,
+            inter: self.inter,
+            is_ancestor: &is_ancestor,
+            initial: self.initial,
+        };
+        f(&self.names, &mut around)
+    }
+}
+
+/// A node and its ancestors, upwards.
+fn ancestors(nodes: &[Node], node: NodeId) -> impl Iterator<Item = NodeId> {
+    std::iter::successors(Some(node), |id| {
+        let parent = nodes.get(id.0 as usize)?.parent;
+        (parent != *id).then_some(parent)
+    })
+}
+
+/// One diagnostic for each place and kind, with how often it came.
+fn gathered(found: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let mut kept: Vec<(Diagnostic, usize)> = Vec::new();
+    let mut index: std::collections::BTreeMap<(String, &'static str), usize> = std::collections::BTreeMap::new();
+    for diagnostic in found {
+        let place = match &diagnostic.place {
+            diag::Place::Rule(span) => format!("{}:{}:{}", span.file, span.start, span.end),
+            other => format!("{other:?}"),
+        };
+        match index.get(&(place.clone(), diagnostic.code)) {
+            Some(at) => kept[*at].1 += 1,
+            None => {
+                index.insert((place, diagnostic.code), kept.len());
+                kept.push((diagnostic, 1));
+            }
+        }
+    }
+    kept.into_iter()
+        .map(|(mut diagnostic, times)| {
+            if times > 1 {
+                diagnostic.message.push_str(&format!(" ({times} times in this lot)"));
+            }
+            diagnostic
+        })
+        .collect()
+}

@@ -1,0 +1,144 @@
+//! A region as an initial shape, with what it sees.
+//!
+//! The first edge of the outline decides the scope (CityEngine's object system): x along it, y up, z out of the
+//! front, the origin at the corner with the least coordinates.
+
+use crate::functions::Initial;
+use crate::geometry::{Area, Bounds, stroke};
+use crate::layout::{Feature, Kind, Layout, Region, Shapes};
+use crate::seed::Seed;
+use crate::shape::{
+    Extent, Footprint, Frame, Geometry, Occluder, Occluders, Ordinals, Plane, Scope, Shape, Style,
+};
+use glam::{DQuat, DVec2, DVec3};
+use std::sync::Arc;
+
+/// The region as a shape without attributes.
+pub(super) fn shape(region: &Region, seed: Seed) -> Shape {
+    let outline = region.polygon.outer();
+    let along = (outline[1] - outline[0]).normalize_or(DVec2::X);
+    let turn = |p: DVec2| DVec2::new(along.dot(p), along.perp_dot(p));
+    let turned = region.polygon.mapped(turn);
+    let bounds = turned.bounds();
+    // Local x is `along`; local z points right of it, so the origin has the least x and the greatest v.
+    let corner = DVec2::new(bounds.min.x, bounds.max.y);
+    let area = Area::from(turned.translated(-corner));
+    let at = along * corner.x + along.perp() * corner.y;
+    let rotation = DQuat::from_rotation_y(libm::atan2(along.y, along.x));
+    let frame = Frame { origin: DVec3::new(at.x, region.elevation, -at.y), rotation };
+    let size = bounds.size();
+    Shape {
+        scope: Scope { frame, size: DVec3::new(size.x, 0.0, size.y) },
+        geometry: Geometry::Flat(Plane::Ground, area),
+        attributes: Arc::new([]),
+        style: Arc::new(Style::default()),
+        ordinals: Ordinals::default(),
+        seed,
+    }
+}
+
+/// The seed of a region: its own, or the run's with its id, so that regions do not depend on their order.
+pub(super) fn seed(region: &Region, run: Seed) -> Seed {
+    match region.seed {
+        Some(own) => Seed(own),
+        None => run.named(&region.id),
+    }
+}
+
+/// What rules can ask of the region.
+pub(super) fn facts(region: &Region, start: Arc<str>) -> Initial {
+    Initial {
+        name: region.name.clone(),
+        start,
+        kind: region.kind.word().into(),
+        zone: region.zone.clone(),
+    }
+}
+
+/// The features of the lot, under the word of their kind.
+pub(super) fn intra(layout: &Layout, region: &Region) -> Occluders {
+    let mut set = Occluders::new(region.polygon.bounds());
+    for feature in region.features.iter().filter_map(|i| layout.features.get(*i)) {
+        for extent in extents(feature) {
+            let label = Some(feature.kind.word().into());
+            set.add(Occluder { label, node: None, footprint: footprint(feature, extent) });
+        }
+    }
+    set
+}
+
+/// The neighbours' initial shapes, under the word of their kind.
+pub(super) fn inter(layout: &Layout, region: &Region) -> Occluders {
+    let mut set = Occluders::new(region.polygon.bounds().grown(1.0));
+    for neighbour in region.neighbours.iter().filter_map(|i| layout.regions.get(*i)) {
+        let extent = Extent::Area(neighbour.polygon.clone().into());
+        let (low, high) = (neighbour.elevation, neighbour.elevation);
+        let label = Some(neighbour.kind.word().into());
+        set.add(Occluder { label, node: None, footprint: Footprint { extent, low, high, closed: false } });
+    }
+    set
+}
+
+fn footprint(feature: &Feature, extent: Extent) -> Footprint {
+    let (low, high) = (feature.elevation, feature.elevation + feature.height);
+    let closed = matches!(feature.kind, Kind::Building | Kind::Tree);
+    Footprint { extent, low, high: high.max(low + f64::from(u8::from(closed))), closed }
+}
+
+fn extents(feature: &Feature) -> Vec<Extent> {
+    match &feature.shapes {
+        Shapes::Areas(polygons) => polygons.iter().map(|p| Extent::Area(p.clone().into())).collect(),
+        Shapes::Lines(lines, width) if *width > 0.0 => {
+            lines.iter().map(|line| Extent::Area(stroke(line, *width))).collect()
+        }
+        Shapes::Lines(lines, _) => lines.iter().map(|line| Extent::Line(line.clone())).collect(),
+        Shapes::Points(points) if feature.kind == Kind::Tree => points.iter().map(|p| crown(feature, *p)).collect(),
+        Shapes::Points(points) => points.iter().map(|p| Extent::Point(*p)).collect(),
+    }
+}
+
+/// A standing tree keeps its crown clear, or two metres where its crown is not known.
+fn crown(feature: &Feature, at: DVec2) -> Extent {
+    let radius = crown_radius(feature);
+    crate::geometry::Polygon::regular(at, radius, 16).map_or(Extent::Point(at), |p| Extent::Area(p.into()))
+}
+
+/// `crown_radius`, half of `crown_diameter`, or 2 m.
+pub(crate) fn crown_radius(feature: &Feature) -> f64 {
+    let number = |name: &str| feature.attributes.get(name).and_then(crate::value::Value::as_float);
+    number("crown_radius").or(number("crown_diameter").map(|d| d * 0.5)).filter(|r| *r > 0.0).unwrap_or(2.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Polygon;
+    use crate::shape::on_plan;
+
+    #[test]
+    fn first_edge_decides_the_scope_and_nothing_moves() {
+        let ring = [DVec2::new(10.0, 5.0), DVec2::new(18.0, 11.0), DVec2::new(15.0, 15.0), DVec2::new(7.0, 9.0)];
+        let polygon = Polygon::new(&ring, &[]).unwrap();
+        let region = Region {
+            id: "a".into(),
+            name: "a".into(),
+            kind: Kind::Lot,
+            zone: "".into(),
+            polygon,
+            elevation: 3.0,
+            start: None,
+            seed: None,
+            attributes: Default::default(),
+            features: Vec::new(),
+            neighbours: Vec::new(),
+        };
+        let shape = shape(&region, Seed(1));
+        assert!((shape.scope.size - DVec3::new(10.0, 0.0, 5.0)).length() < 1e-9, "{}", shape.scope.size);
+        let Geometry::Flat(plane, area) = &shape.geometry else { panic!("a lot is flat") };
+        let back: Vec<DVec2> =
+            area.polygons()[0].outer().iter().map(|p| on_plan(shape.scope.frame.to_world(plane.at(*p)))).collect();
+        assert!(back.iter().zip(ring).all(|(a, b)| a.distance(b) < 1e-9), "{back:?}");
+        // The first edge is the front: it lies at z = sz.
+        assert!((plane.at(area.polygons()[0].outer()[0]).z - 5.0).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,113 @@
+//! Program + layout → derivation: the engine that chooses a rule, evaluates, applies and queues.
+//!
+//! A lot's derivation needs the program, the lot, its features, its neighbours' outlines and a seed, and nothing
+//! else; so lots are derived in parallel, and threads change nothing. The engine knows no operation by name.
+
+mod engine;
+mod evaluate;
+mod initial;
+mod select;
+mod start;
+
+pub use start::{StartError, start_of};
+
+use crate::check::Program;
+use crate::diag::Diagnostic;
+use crate::element::Catalogue;
+use crate::layout::Layout;
+use crate::seed::Seed;
+use crate::shape::{Derivation, Lot};
+use crate::value::Value;
+use crate::world::World;
+use rayon::prelude::*;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::time::Duration;
+
+/// What a run is asked for beside program and layout.
+pub struct Options<'a> {
+    /// The start rule for every region, before all other ways to find one.
+    pub start: Option<Arc<str>>,
+    /// The seed of the run.
+    pub seed: Seed,
+    /// Values for attributes by slot, before the layout's.
+    pub set: Vec<(usize, Value)>,
+    /// The element repository.
+    pub catalogue: &'a Catalogue,
+    /// Where models come from.
+    pub world: &'a dyn World,
+    /// Where a run stops by itself.
+    pub limits: Limits,
+}
+
+/// Where a derivation stops by itself, per lot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Rules inside rules.
+    pub depth: usize,
+    /// Functions inside functions.
+    pub calls: usize,
+    /// Shapes of one lot, inner ones included.
+    pub shapes: usize,
+    /// Children of one operation.
+    pub children: usize,
+    /// Time for one lot; a lot that takes longer stops with a diagnostic.
+    pub time: Duration,
+}
+
+impl Default for Limits {
+    fn default() -> Limits {
+        Limits {
+            depth: 1_000,
+            calls: 200,
+            shapes: 5_000_000,
+            children: 2_000_000,
+            time: Duration::from_secs(600),
+        }
+    }
+}
+
+/// How far a run is, and whether it shall stop: shared between the run and who watches it.
+#[derive(Debug, Default)]
+pub struct Progress {
+    /// Regions derived.
+    pub done: AtomicUsize,
+    /// Set to stop the run at the next shape.
+    pub stop: AtomicBool,
+}
+
+impl Progress {
+    /// Whether the run shall stop.
+    pub fn stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+}
+
+/// Derives every region of the layout that has a start rule, in parallel; the result is in the layout's order.
+///
+/// Never fails: what stops a branch or a lot is among the lot's diagnostics. A stopped run gives what was done.
+pub fn derive(program: &Program, layout: &Layout, options: &Options, progress: &Progress) -> (Derivation, Vec<Diagnostic>) {
+    let starts: Vec<Result<u32, StartError>> =
+        layout.regions.iter().map(|region| start_of(program, region, options.start.as_deref())).collect();
+    let mut diagnostics = start::report(layout, &starts);
+    let lots: Vec<Lot> = layout
+        .regions
+        .par_iter()
+        .zip(&starts)
+        .enumerate()
+        .filter_map(|(index, (region, start))| {
+            let rule = *start.as_ref().ok()?;
+            let outcome = engine::lot(program, layout, index, rule, options, progress);
+            progress.done.fetch_add(1, Ordering::Relaxed);
+            Some(Lot { region: index, id: region.id.clone(), outcome })
+        })
+        .collect();
+    let without_rule = layout.regions.iter().zip(&starts).filter(|(_, s)| s.is_err()).map(|(r, _)| r.id.clone());
+    let derivation = Derivation {
+        symbols: program.symbols.clone().into(),
+        without_rule: without_rule.collect(),
+        lots,
+    };
+    diagnostics.extend(derivation.lots.iter().flat_map(|lot| lot.outcome.diagnostics.iter().cloned()));
+    (derivation, diagnostics)
+}

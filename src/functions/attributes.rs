@@ -1,0 +1,84 @@
+//! Shape attributes: read by name, some set by `set()`.
+
+use crate::functions::{Function, Surroundings};
+use crate::value::Value;
+use glam::{DVec3, EulerRot};
+
+macro_rules! attribute {
+    ($name:literal, $docs:literal, $f:expr) => {
+        Function::new($name, "", (0, 0), $docs, |_, around| {
+            let f: fn(&Surroundings) -> Value = $f;
+            Ok(f(around))
+        })
+    };
+}
+
+pub(super) static LIST: &[Function] = &[
+    attribute!("scope.sx", "The size along x in metres.", |a| Value::Float(a.shape.scope.size.x)),
+    attribute!("scope.sy", "The size along y in metres.", |a| Value::Float(a.shape.scope.size.y)),
+    attribute!("scope.sz", "The size along z in metres.", |a| Value::Float(a.shape.scope.size.z)),
+    attribute!("scope.tx", "The world x of the origin: metres east of the layout's centre.", |a| {
+        Value::Float(a.shape.scope.frame.origin.x)
+    }),
+    attribute!("scope.ty", "The world y of the origin: metres up.", |a| Value::Float(a.shape.scope.frame.origin.y)),
+    attribute!("scope.tz", "The world z of the origin: metres south of the layout's centre.", |a| {
+        Value::Float(a.shape.scope.frame.origin.z)
+    }),
+    attribute!("scope.elevation", "The height of the origin in metres.", |a| {
+        Value::Float(a.shape.scope.frame.origin.y)
+    }),
+    attribute!("scope.rx", "The turn about x in degrees.", |a| Value::Float(turn(a).x)),
+    attribute!("scope.ry", "The turn about y in degrees.", |a| Value::Float(turn(a).y)),
+    attribute!("scope.rz", "The turn about z in degrees.", |a| Value::Float(turn(a).z)),
+    attribute!("split.index", "The number of the part in the last split, from 0.", |a| {
+        Value::Float(f64::from(a.shape.ordinals.split.0))
+    }),
+    attribute!("split.total", "The number of parts of the last split.", |a| {
+        Value::Float(f64::from(a.shape.ordinals.split.1))
+    }),
+    attribute!("comp.index", "The number of the component in the last component split, from 0.", |a| {
+        Value::Float(f64::from(a.shape.ordinals.comp.0))
+    }),
+    attribute!("comp.total", "The number of components of the last component split.", |a| {
+        Value::Float(f64::from(a.shape.ordinals.comp.1))
+    }),
+    attribute!("place.index", "The number of the point in the last placement, from 0.", |a| {
+        Value::Float(f64::from(a.shape.ordinals.place.0))
+    })
+    .added(),
+    attribute!("place.total", "The number of points of the last placement.", |a| {
+        Value::Float(f64::from(a.shape.ordinals.place.1))
+    })
+    .added(),
+    attribute!("seedian", "The shape's seed as a number.", |a| Value::Float((a.shape.seed.0 >> 11) as f64)).settable(),
+    attribute!("initialShape.name", "The name of the region.", |a| Value::Text(a.initial.name.clone())),
+    attribute!("initialShape.startRule", "The rule the region began with.", |a| Value::Text(a.initial.start.clone())),
+    attribute!("initialShape.kind", "The kind of the region.", |a| Value::Text(a.initial.kind.clone())).added(),
+    attribute!("initialShape.zone", "The zone of the region.", |a| Value::Text(a.initial.zone.clone())).added(),
+    attribute!("material.name", "The material: a ground cover of the catalogue, or a word of your own.", |a| {
+        Value::Text(a.shape.style.material.clone().unwrap_or_default())
+    })
+    .settable(),
+    attribute!("material.color.r", "Red, 0 to 1.", |a| channel(a, 0)).settable(),
+    attribute!("material.color.g", "Green, 0 to 1.", |a| channel(a, 1)).settable(),
+    attribute!("material.color.b", "Blue, 0 to 1.", |a| channel(a, 2)).settable(),
+    attribute!("material.opacity", "Opacity, 0 to 1.", |a| channel(a, 3)).settable(),
+    attribute!("material.color.rgb", "The colour as `#rrggbb`.", |a| {
+        let [r, g, b, _] = a.shape.style.color.unwrap_or([1.0; 4]).map(|c| (c * 255.0).round() as u8);
+        Value::text(format!("#{r:02x}{g:02x}{b:02x}"))
+    })
+    .settable(),
+    attribute!("label.name", "The last label, empty where there is none.", |a| {
+        Value::Text(a.shape.style.label.clone().unwrap_or_default())
+    })
+    .added(),
+];
+
+fn channel(around: &Surroundings, index: usize) -> Value {
+    Value::Float(f64::from(around.shape.style.color.unwrap_or([1.0; 4])[index]))
+}
+
+fn turn(around: &Surroundings) -> DVec3 {
+    let (x, y, z) = around.shape.scope.frame.rotation.to_euler(EulerRot::XYZ);
+    DVec3::new(x, y, z).map(f64::to_degrees)
+}

@@ -1,0 +1,75 @@
+//! The declaration macro: one `operation!` a file gives the typed struct, its `SPEC` and its entry in the list.
+
+/// Declares an operation: its manual, name, block and parameters.
+///
+/// ```text
+/// operation! {
+///     /// Sweeps the shape upwards.
+///     "extrude" (CityEngine, None) => pub struct Extrude {
+///         /// How far (metres).
+///         height: Metres,
+///         /// Which way.
+///         direction: Direction = Direction::Up => "world.up",
+///     }
+/// }
+/// ```
+///
+/// Behind a default stands how the manual writes it. `impl Apply for Extrude` follows by hand.
+macro_rules! operation {
+    (
+        $(#[doc = $doc:literal])*
+        $name:literal $(| $alias:literal)* ($origin:ident, $block:expr) => pub struct $type:ident {
+            $( $(#[doc = $pdoc:literal])* $field:ident : $ptype:ty $(= $default:expr => $text:literal)? ),* $(,)?
+        }
+    ) => {
+        $(#[doc = $doc])*
+        #[derive(Clone, Debug)]
+        pub struct $type { $( $(#[doc = $pdoc])* pub $field: $ptype ),* }
+
+        impl $type {
+            /// The declaration that checker, engine, manual and editor read.
+            pub const SPEC: $crate::ops::Spec = $crate::ops::Spec {
+                name: $name,
+                aliases: &[$($alias),*],
+                docs: concat!($($doc, "\n"),*),
+                params: &[$( $crate::ops::Param {
+                    name: stringify!($field),
+                    docs: concat!($($pdoc, "\n"),*),
+                    kind: <$ptype as $crate::ops::Parameter>::KIND,
+                    default: $crate::ops::declare::operation!(@text $($text)?),
+                } ),*],
+                block: { use $crate::ops::BlockKind::*; $block },
+                origin: $crate::ops::Origin::$origin,
+            };
+            /// The operation as the engine finds it.
+            pub const OPERATION: $crate::ops::Operation = $crate::ops::Operation::of::<$type>(&$type::SPEC);
+        }
+
+        impl $crate::ops::Decode for $type {
+            #[allow(unused_mut, unused_variables)]
+            fn decode(values: &mut [Option<$crate::value::Value>]) -> Result<Self, $crate::ops::Problem> {
+                let mut index = 0;
+                Ok($type { $( $field: {
+                    let value = values.get_mut(index).and_then(Option::take);
+                    index += 1;
+                    $crate::ops::declare::operation!(@decode $field, $ptype, value $(, $default)?)
+                } ),* })
+            }
+        }
+    };
+    (@text) => { None };
+    (@text $text:literal) => { Some($text) };
+    (@decode $field:ident, $ptype:ty, $value:ident) => {
+        match $value {
+            Some(value) => $crate::ops::decode_value::<$ptype>(stringify!($field), value)?,
+            None => return Err($crate::ops::Problem::missing(stringify!($field))),
+        }
+    };
+    (@decode $field:ident, $ptype:ty, $value:ident, $default:expr) => {
+        match $value {
+            Some(value) => $crate::ops::decode_value::<$ptype>(stringify!($field), value)?,
+            None => $default,
+        }
+    };
+}
+pub(crate) use operation;

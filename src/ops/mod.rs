@@ -1,0 +1,217 @@
+//! The built-in operations, one file each, and [`OPERATIONS`], the list that nobody repeats.
+//!
+//! An operation takes a shape and gives pieces; it never calls the engine. Which block entry a piece goes to is
+//! decided in two steps for operations with selectors: [`Apply::components`] says what there is to choose from, the
+//! engine chooses, [`Apply::apply`] builds. Operations that derive inside themselves (inline, union, modify) will be
+//! one more case of [`Pieces`].
+
+mod declare;
+mod spec;
+mod unbuilt;
+
+mod align_scope_to_axes;
+mod center;
+mod color;
+mod comp;
+mod distr;
+mod extrude;
+mod faces;
+mod instance;
+mod insert;
+mod label;
+mod offset;
+mod primitives;
+mod print;
+mod r;
+mod report;
+mod s;
+mod scatter;
+mod set;
+mod setback;
+mod split;
+mod t;
+
+pub use faces::{Component, Selectors};
+pub use spec::{Attribute, BlockKind, Origin, Param, ParamKind, Parameter, Spec, Word};
+pub use split::Cut;
+pub use unbuilt::{Unbuilt, UNBUILT_FUNCTIONS, UNBUILT_OPERATIONS};
+
+use crate::element::Catalogue;
+use crate::seed::Seed;
+use crate::shape::Shape;
+use crate::value::Value;
+use crate::world::World;
+use std::sync::Arc;
+
+/// Every operation, in the order of the manual.
+pub static OPERATIONS: &[Operation] = &[
+    split::Split::OPERATION,
+    comp::Comp::OPERATION,
+    setback::Setback::OPERATION,
+    offset::Offset::OPERATION,
+    scatter::Scatter::OPERATION,
+    distr::Distr::OPERATION,
+    extrude::Extrude::OPERATION,
+    insert::Insert::OPERATION,
+    instance::Instance::OPERATION,
+    primitives::Quad::OPERATION,
+    primitives::Disk::OPERATION,
+    primitives::Cube::OPERATION,
+    primitives::Cylinder::OPERATION,
+    primitives::Cone::OPERATION,
+    primitives::Sphere::OPERATION,
+    t::Translate::OPERATION,
+    s::Resize::OPERATION,
+    r::Rotate::OPERATION,
+    center::Center::OPERATION,
+    align_scope_to_axes::AlignScopeToAxes::OPERATION,
+    set::Set::OPERATION,
+    color::Color::OPERATION,
+    label::Label::OPERATION,
+    report::ReportValue::OPERATION,
+    print::PrintValue::OPERATION,
+];
+
+/// An operation as the engine finds it.
+pub struct Operation {
+    /// Its declaration.
+    pub spec: &'static Spec,
+    components: fn(&mut [Option<Value>], &Shape) -> Result<Vec<Component>, Problem>,
+    apply: fn(&mut [Option<Value>], Shape, &Given) -> Result<Pieces, Problem>,
+}
+
+/// What the engine hands to an operation beside the shape and its arguments.
+pub struct Given<'a> {
+    /// The sizes of a split block, evaluated on the shape.
+    pub cuts: &'a [Cut],
+    /// For each component the entry of the block that selected it, and whether its pieces are put together.
+    pub chosen: &'a [Option<Choice>],
+    /// Where the operation's random numbers come from.
+    pub seed: Seed,
+    /// The size of the scope that the shape's parent had when the rule began: what `center` centres in.
+    pub around: &'a crate::shape::Scope,
+    /// The earlier shapes and the features of the lot.
+    pub intra: &'a crate::shape::Occluders,
+    /// The element repository.
+    pub catalogue: &'a Catalogue,
+    /// Where models come from.
+    pub world: &'a dyn World,
+    /// The largest number of children an operation may make.
+    pub most: usize,
+}
+
+/// Which entry of a selector block took a component.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Choice {
+    /// The entry.
+    pub entry: u16,
+    /// `=`: all components of the entry in one shape.
+    pub together: bool,
+}
+
+/// What an operation makes of a shape.
+pub enum Pieces {
+    /// The current shape goes on, changed.
+    Changed(Shape),
+    /// The same, and something is told.
+    Told(Shape, Effect),
+    /// Successors, each for an entry of the block. Where the current shape is given back it stays as it was
+    /// (points are set on a lawn); otherwise the pieces have used it up.
+    Parts(Vec<Part>, Option<Shape>),
+}
+
+/// One successor.
+pub struct Part {
+    /// The entry of the block it goes to.
+    pub entry: u16,
+    /// Its shape; the engine gives it its seed.
+    pub shape: Shape,
+}
+
+/// What an operation tells beside the shape.
+pub enum Effect {
+    /// `report(key, value)`.
+    Report(Arc<str>, Value),
+    /// `print(value)`.
+    Print(Value),
+    /// `label(name)`: from now on occlusion queries find the shape under this name.
+    Label(Arc<str>),
+}
+
+/// Why an operation could not be applied.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Problem {
+    /// What was found and what would do.
+    pub message: String,
+    /// Advice.
+    pub hints: Vec<String>,
+    /// A limit was hit: the lot ends here.
+    pub fatal: bool,
+}
+
+/// What an operation does.
+pub trait Apply {
+    /// What the selectors of the block choose among; nothing for operations without selectors.
+    fn components(&self, _shape: &Shape) -> Result<Vec<Component>, Problem> {
+        Ok(Vec::new())
+    }
+
+    /// The pieces.
+    fn apply(self, shape: Shape, given: &Given) -> Result<Pieces, Problem>;
+}
+
+/// Arguments → typed operation; written by the declaration.
+pub trait Decode: Sized {
+    /// Takes the values out of the slots, in the order of the parameters.
+    fn decode(values: &mut [Option<Value>]) -> Result<Self, Problem>;
+}
+
+impl Operation {
+    const fn of<T: Apply + Decode>(spec: &'static Spec) -> Operation {
+        Operation {
+            spec,
+            components: |values, shape| T::decode(values)?.components(shape),
+            apply: |values, shape, given| T::decode(values)?.apply(shape, given),
+        }
+    }
+
+    /// The components for the selectors; the values are used up.
+    pub fn components(&self, values: &mut [Option<Value>], shape: &Shape) -> Result<Vec<Component>, Problem> {
+        (self.components)(values, shape)
+    }
+
+    /// The pieces; the values are used up.
+    pub fn apply(&self, values: &mut [Option<Value>], shape: Shape, given: &Given) -> Result<Pieces, Problem> {
+        (self.apply)(values, shape, given)
+    }
+}
+
+impl Problem {
+    /// A problem of one branch.
+    pub fn new(message: impl Into<String>) -> Problem {
+        Problem { message: message.into(), hints: Vec::new(), fatal: false }
+    }
+
+    /// An argument that must be given is not.
+    pub fn missing(parameter: &str) -> Problem {
+        Problem::new(format!("the argument `{parameter}` is missing"))
+    }
+
+    /// The same with one more piece of advice.
+    pub fn hint(mut self, hint: impl Into<String>) -> Problem {
+        self.hints.push(hint.into());
+        self
+    }
+}
+
+/// The operation of that name or alias.
+pub fn find(name: &str) -> Option<&'static Operation> {
+    OPERATIONS.iter().find(|o| o.spec.name == name || o.spec.aliases.contains(&name))
+}
+
+/// A value as the type of its parameter.
+pub fn decode_value<T: Parameter>(parameter: &str, value: Value) -> Result<T, Problem> {
+    let found = format!("{} `{value}`", value.type_name());
+    T::from_value(value)
+        .ok_or_else(|| Problem::new(format!("`{parameter}` takes {}, found {found}", T::KIND.words())))
+}

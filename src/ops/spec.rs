@@ -1,0 +1,254 @@
+//! What an operation declares about itself: read by the checker, the engine, the manual, the editor and the tests.
+
+use crate::value::{Size, Value};
+use std::sync::Arc;
+
+/// The declaration of an operation or function.
+#[derive(Debug)]
+pub struct Spec {
+    /// How it is called.
+    pub name: &'static str,
+    /// The papers' or older names of the same operation.
+    pub aliases: &'static [&'static str],
+    /// The manual: first a sentence, then what is to know, with an example in a ```` ```cga ```` block.
+    pub docs: &'static str,
+    /// The parameters in order.
+    pub params: &'static [Param],
+    /// What follows the parentheses.
+    pub block: BlockKind,
+    /// Whose it is.
+    pub origin: Origin,
+}
+
+/// One parameter.
+#[derive(Debug)]
+pub struct Param {
+    /// Its name, for named arguments.
+    pub name: &'static str,
+    /// What it means, with its unit and the papers' symbol.
+    pub docs: &'static str,
+    /// What it takes.
+    pub kind: ParamKind,
+    /// The default as text; `None` where it must be given.
+    pub default: Option<&'static str>,
+}
+
+/// What a parameter takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ParamKind {
+    /// A plain number.
+    Number,
+    /// Metres.
+    Metres,
+    /// Degrees.
+    Degrees,
+    /// A share, 0 to 1.
+    Share,
+    /// Plants per square metre.
+    PerArea,
+    /// A whole number from 0.
+    Count,
+    /// Metres, or with `'` a share of the scope.
+    Size,
+    /// A text.
+    Text,
+    /// A text or a bare word.
+    Word,
+    /// `true` or `false`.
+    Truth,
+    /// One of these words. Where it has a default, an argument that is not a word skips it.
+    Choice(&'static [&'static str]),
+    /// The name of an attribute.
+    Attribute,
+    /// Anything.
+    Any,
+}
+
+/// What follows an operation's parentheses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BlockKind {
+    /// Nothing.
+    None,
+    /// `{ size : A | … }*`
+    Cuts,
+    /// `{ selector : A | … }`, and which words it adds to the usual ones.
+    Selectors(&'static [&'static str]),
+    /// `{ A }`: one successor for every child.
+    Body,
+}
+
+/// Where an operation comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// CityEngine has it under the same name: a rule of a file cannot shadow it.
+    CityEngine,
+    /// Ours or the papers': a rule, function or import of a file shadows it, with a lint.
+    Added,
+}
+
+impl ParamKind {
+    /// What messages and the manual call it.
+    pub fn words(self) -> String {
+        match self {
+            ParamKind::Number => "a number".into(),
+            ParamKind::Metres => "a number of metres".into(),
+            ParamKind::Degrees => "a number of degrees".into(),
+            ParamKind::Share => "a share from 0 to 1".into(),
+            ParamKind::PerArea => "a number per square metre".into(),
+            ParamKind::Count => "a whole number".into(),
+            ParamKind::Size => "metres, or a share with `'`".into(),
+            ParamKind::Text => "a text".into(),
+            ParamKind::Word => "a word or a text".into(),
+            ParamKind::Truth => "`true` or `false`".into(),
+            ParamKind::Choice(words) => {
+                let quoted: Vec<String> = words.iter().map(|w| format!("`{w}`")).collect();
+                format!("one of {}", quoted.join(", "))
+            }
+            ParamKind::Attribute => "the name of an attribute".into(),
+            ParamKind::Any => "any value".into(),
+        }
+    }
+
+    /// Whether bare words stand for themselves here.
+    pub fn takes_words(self) -> bool {
+        matches!(self, ParamKind::Word | ParamKind::Choice(_) | ParamKind::Attribute | ParamKind::Any)
+    }
+
+    /// Whether a value known before derivation can be right.
+    pub fn accepts(self, value: &Value) -> bool {
+        match (self, value) {
+            (ParamKind::Any, _) => true,
+            (ParamKind::Number | ParamKind::Metres | ParamKind::Degrees, Value::Float(_)) => true,
+            (ParamKind::Share | ParamKind::PerArea, Value::Float(number)) => *number >= 0.0,
+            (ParamKind::Count, Value::Float(number)) => *number >= 0.0,
+            (ParamKind::Size, Value::Float(_) | Value::Size(Size::Absolute(_) | Size::Relative(_))) => true,
+            (ParamKind::Text | ParamKind::Word, Value::Text(_)) => true,
+            (ParamKind::Word | ParamKind::Attribute, Value::Word(_)) => true,
+            (ParamKind::Attribute, Value::Text(_)) => true,
+            (ParamKind::Truth, Value::Bool(_)) => true,
+            (ParamKind::Choice(words), Value::Word(word) | Value::Text(word)) => words.contains(&&**word),
+            _ => false,
+        }
+    }
+}
+
+/// A Rust type that a parameter can have.
+pub trait Parameter: Sized {
+    /// What it takes.
+    const KIND: ParamKind;
+    /// The value, where it fits.
+    fn from_value(value: Value) -> Option<Self>;
+}
+
+macro_rules! number_parameter {
+    ($($type:ty, $kind:ident, $make:expr;)*) => {$(
+        impl Parameter for $type {
+            const KIND: ParamKind = ParamKind::$kind;
+            fn from_value(value: Value) -> Option<Self> {
+                value.as_float().filter(|n| !n.is_nan()).map($make)
+            }
+        }
+    )*};
+}
+
+number_parameter! {
+    f64, Number, |n| n;
+    crate::unit::Metres, Metres, crate::unit::Metres;
+    crate::unit::Degrees, Degrees, crate::unit::Degrees;
+    crate::unit::Share, Share, crate::unit::Share;
+    crate::unit::PerArea, PerArea, crate::unit::PerArea;
+    u32, Count, |n: f64| n.round().clamp(0.0, f64::from(u32::MAX)) as u32;
+}
+
+impl Parameter for Size {
+    const KIND: ParamKind = ParamKind::Size;
+    fn from_value(value: Value) -> Option<Self> {
+        match value {
+            Value::Float(number) => Some(Size::Absolute(number)),
+            Value::Size(size @ (Size::Absolute(_) | Size::Relative(_))) => Some(size),
+            _ => None,
+        }
+    }
+}
+
+impl Parameter for bool {
+    const KIND: ParamKind = ParamKind::Truth;
+    fn from_value(value: Value) -> Option<Self> {
+        value.as_bool()
+    }
+}
+
+impl Parameter for Value {
+    const KIND: ParamKind = ParamKind::Any;
+    fn from_value(value: Value) -> Option<Self> {
+        Some(value)
+    }
+}
+
+/// A text or a bare word.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Word(pub Arc<str>);
+
+impl Parameter for Word {
+    const KIND: ParamKind = ParamKind::Word;
+    fn from_value(value: Value) -> Option<Self> {
+        match value {
+            Value::Text(text) | Value::Word(text) => Some(Word(text)),
+            Value::Float(_) => Some(Word(value.to_string().into())),
+            _ => None,
+        }
+    }
+}
+
+/// The name of an attribute, resolved by the checker.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Attribute(pub Arc<str>);
+
+impl Parameter for Attribute {
+    const KIND: ParamKind = ParamKind::Attribute;
+    fn from_value(value: Value) -> Option<Self> {
+        value.as_str().map(|name| Attribute(name.into()))
+    }
+}
+
+/// Declares an enum whose variants are the words of a parameter.
+macro_rules! choice {
+    ($(#[$meta:meta])* $vis:vis enum $name:ident { $($(#[$doc:meta])* $variant:ident = $word:literal),* $(,)? }) => {
+        $(#[$meta])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        $vis enum $name { $($(#[$doc])* $variant),* }
+
+        impl $crate::ops::Parameter for $name {
+            const KIND: $crate::ops::ParamKind = $crate::ops::ParamKind::Choice(&[$($word),*]);
+            fn from_value(value: $crate::value::Value) -> Option<Self> {
+                match value.as_str()? {
+                    $($word => Some($name::$variant),)*
+                    _ => None,
+                }
+            }
+        }
+    };
+}
+pub(crate) use choice;
+
+impl Spec {
+    /// How it is called, on one line: `setback(distance) { selector : A | remainder : B }`.
+    pub fn usage(&self) -> String {
+        let params: Vec<String> = self.params.iter().map(usage_of).collect();
+        let block = match self.block {
+            BlockKind::None => "",
+            BlockKind::Cuts => " { size : A | size : B }",
+            BlockKind::Selectors(extra) if extra.contains(&"remainder") => " { selector : A | remainder : B }",
+            BlockKind::Selectors(_) => " { selector : A }",
+            BlockKind::Body => " { A }",
+        };
+        format!("{}({}){block}", self.name, params.join(", "))
+    }
+}
+
+fn usage_of(param: &Param) -> String {
+    match param.default {
+        Some(default) => format!("{} = {default}", param.name),
+        None => param.name.into(),
+    }
+}
