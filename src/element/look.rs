@@ -2,6 +2,7 @@
 //!
 //! The catalogue names them by their words; scenes carry them; drawings read them.
 
+use crate::element::words::words;
 use std::sync::Arc;
 
 /// What a surface or solid is made of, as the catalogue describes it.
@@ -43,6 +44,17 @@ pub enum Texture {
     Flowers,
 }
 
+words!(Texture {
+    Plain = "plain",
+    Stipple = "stipple",
+    Strokes = "strokes",
+    Ripples = "ripples",
+    Hatch = "hatch",
+    Foliage = "foliage",
+    Embroidery = "embroidery",
+    Flowers = "flowers",
+});
+
 /// How a plan draws a plant.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum PlantSymbol {
@@ -66,3 +78,15 @@ pub enum PlantSymbol {
     /// A dot.
     Flower,
 }
+
+words!(PlantSymbol {
+    Broadleaf = "broadleaf",
+    Feathery = "feathery",
+    Conifer = "conifer",
+    Palm = "palm",
+    Clipped = "clipped",
+    Box = "box",
+    Cone = "cone",
+    Shrub = "shrub",
+    Flower = "flower",
+});
