@@ -4,6 +4,8 @@
 //! No rules, scopes or attributes are left: a plant carries the *name* of its rule. What stands in a scene:
 //! covers (flat ground surfaces), solids (things with height), lines, plants, objects.
 
+pub use crate::element::{Material, PlantSymbol, Texture};
+
 use crate::geometry::{Area, Mesh};
 use crate::layout::Georeference;
 use crate::value::Value;
@@ -47,45 +49,6 @@ pub struct LotOutline {
     pub zone: Arc<str>,
     /// Its outline.
     pub area: Area,
-}
-
-/// What a surface or solid is made of, as the catalogue describes it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Material {
-    /// The catalogue's word (`gravel`, `lawn`, `water`, `hedge`, `building` …) or the user's own.
-    pub name: Arc<str>,
-    /// The name people read in legends.
-    pub label: Arc<str>,
-    /// Fill colour, sRGB and opacity in 0 to 1.
-    pub fill: [f32; 4],
-    /// Outline colour.
-    pub line: [f32; 4],
-    /// Outline width in millimetres on paper; 0 draws none.
-    pub line_width: f32,
-    /// How a plan draws its inside.
-    pub texture: Texture,
-}
-
-/// How a plan draws the inside of a surface.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Texture {
-    /// Plain colour.
-    #[default]
-    Plain,
-    /// Sparse dots: gravel, sand.
-    Stipple,
-    /// Short strokes: meadow, rough grass.
-    Strokes,
-    /// Lines parallel to the shore: water.
-    Ripples,
-    /// Hatched: roofs.
-    Hatch,
-    /// Small leaves: hedges, clipped masses.
-    Foliage,
-    /// Arabesques: embroidery of box on gravel.
-    Embroidery,
-    /// Tiny flowers: beds.
-    Flowers,
 }
 
 /// Where something comes from.
@@ -183,30 +146,6 @@ pub struct Plant {
     pub symbol: PlantSymbol,
     /// Crown colour, sRGB and opacity in 0 to 1.
     pub color: [f32; 4],
-}
-
-/// How a plan draws a plant.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum PlantSymbol {
-    /// A softly lobed crown.
-    #[default]
-    Broadleaf,
-    /// A crown of fine branches.
-    Feathery,
-    /// A star of needles.
-    Conifer,
-    /// A wheel of fronds.
-    Palm,
-    /// A tight, even outline: clipped trees.
-    Clipped,
-    /// A square block: trees clipped to boxes.
-    Box,
-    /// A pyramid from above: a cone with its edges.
-    Cone,
-    /// A small ring.
-    Shrub,
-    /// A dot.
-    Flower,
 }
 
 /// A piece of furniture or an architectural object.
