@@ -31,7 +31,7 @@ pub(super) fn shape(region: &Region, seed: Seed) -> Shape {
         scope: Scope { frame, size: DVec3::new(size.x, 0.0, size.y) },
         geometry: Geometry::Flat(Plane::Ground, area),
         attributes: Arc::new([]),
-        style: Arc::new(Style::default()),
+        style: Arc::new(Style { object: rotation, ..Style::default() }),
         ordinals: Ordinals::default(),
         seed,
     }

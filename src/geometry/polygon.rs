@@ -120,6 +120,15 @@ impl Polygon {
         self.mapped(|p| p + offset)
     }
 
+    /// The same moved by `offset`, in place where nobody shares the buffer.
+    pub fn into_translated(mut self, offset: DVec2) -> Polygon {
+        match Arc::get_mut(&mut self.points) {
+            Some(points) => points.iter_mut().for_each(|p| *p += offset),
+            None => self.points = self.points.iter().map(|p| *p + offset).collect(),
+        }
+        self
+    }
+
     /// The same with each vertex moved by `map`, which must keep rings simple and their orientation.
     pub fn mapped(&self, map: impl Fn(DVec2) -> DVec2) -> Polygon {
         Polygon { points: self.points.iter().map(|p| map(*p)).collect(), holes: self.holes.clone() }
@@ -172,6 +181,11 @@ impl Area {
     /// The same moved by `offset`.
     pub fn translated(&self, offset: DVec2) -> Area {
         self.0.iter().map(|p| p.translated(offset)).collect()
+    }
+
+    /// The same moved by `offset`, in place where nobody shares the buffers.
+    pub fn into_translated(self, offset: DVec2) -> Area {
+        Area(self.0.into_iter().map(|p| p.into_translated(offset)).collect())
     }
 
     /// The same under an affine map; parts that it flattens vanish.

@@ -3,6 +3,7 @@
 use crate::seed::Seed;
 use crate::shape::{Geometry, Scope};
 use crate::value::Value;
+use glam::DQuat;
 use std::sync::Arc;
 
 /// A shape of a derivation; its symbol and rule are the node's that holds it.
@@ -22,7 +23,7 @@ pub struct Shape {
     pub seed: Seed,
 }
 
-/// What a shape looks like: inherited, shared until changed.
+/// What a shape inherits beside its attributes, mostly looks: shared until changed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Style {
     /// `color()`: red, green, blue, opacity in 0 to 1.
@@ -31,6 +32,8 @@ pub struct Style {
     pub material: Option<Arc<str>>,
     /// The last `label()`.
     pub label: Option<Arc<str>>,
+    /// How the initial shape was turned: what `object.front` means.
+    pub object: DQuat,
 }
 
 /// The last index and total that a split and a component split gave.
