@@ -5,7 +5,7 @@ mod polygons;
 
 use bosquet::geometry::*;
 use glam::DVec2;
-use polygons::{area, convex, direction, polygon};
+use polygons::{area, convex, polygon};
 use proptest::prelude::*;
 
 /// Every ring simple and rightly turned, holes inside: the repaired area is the area.
@@ -22,6 +22,12 @@ fn assert_sound(area: &Area) {
 #[track_caller]
 fn close(a: f64, b: f64, slack: f64) {
     assert!((a - b).abs() <= slack, "{a} is not {b}");
+}
+
+/// A unit vector, now and then along an axis.
+fn direction() -> impl Strategy<Value = DVec2> {
+    let any = (0.0..360.0f64).prop_map(|a| DVec2::new(libm::cos(a.to_radians()), libm::sin(a.to_radians())));
+    prop_oneof![1 => Just(DVec2::X), 1 => Just(DVec2::Y), 1 => Just(DVec2::NEG_X), 3 => any]
 }
 
 /// A grid of points over the bounds of an area.
