@@ -73,7 +73,7 @@ proptest! {
             }
         }
         for p in samples(&area, 12) {
-            if area.contains(p) && area.distance_to_edges(p) > 4.0 * distance {
+            if area.contains(p) && area.distance_to_edges(p) > 6.0 * distance {
                 prop_assert!(inner.contains(p));
             }
         }
