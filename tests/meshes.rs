@@ -74,6 +74,19 @@ proptest! {
     }
 
     #[test]
+    fn lattices_cut_along_their_lines_stay_solid(rings in prop::collection::vec(
+        prop::collection::vec((-6i32..6, -6i32..6).prop_map(|(x, y)| DVec2::new(x as f64, y as f64)), 3..14), 1..4)) {
+        let area = repair(&rings).0;
+        let prism = Mesh::prism(&area, 0.0, 2.0, ground);
+        let parts = prism.bands(DVec3::X, &(-6..=6).map(f64::from).collect::<Vec<_>>());
+        close(parts.iter().map(Mesh::volume).sum(), prism.volume(), 1e-3);
+        for part in parts.iter().filter(|p| !p.faces.is_empty()) {
+            part.sanity_check().unwrap();
+            prop_assert!(part.is_closed());
+        }
+    }
+
+    #[test]
     fn triangles_have_the_area_of_their_faces(polygon in polygon()) {
         let prism = Mesh::prism(&polygon.into(), 0.0, 2.0, ground);
         let triangles = prism.triangulated();

@@ -53,6 +53,9 @@ impl Mesh {
             let whole = clipped.whole.iter().map(|i| rings[*i].to_vec());
             push_nested(&mut part, clipped.loops.into_iter().chain(whole).collect(), &plane.positions, u, v);
         }
+        if let Some(place) = plane.twins() {
+            part = part.merged(&place);
+        }
         part.positions = plane.positions;
         if self.is_closed() {
             part.cap(normal);
@@ -69,6 +72,27 @@ impl Mesh {
         let positions = std::mem::take(&mut self.positions);
         push_nested(self, rims, &positions, u, v);
         self.positions = positions;
+    }
+
+    /// The faces with each vertex replaced by another in the same place; edges that lose their length vanish, and
+    /// with them rings that have no width left.
+    fn merged(&self, place: &[u32]) -> Mesh {
+        let mut mesh = Mesh::default();
+        for face in self.faces() {
+            let merged = face.rings().map(|ring| {
+                let mut ring: Vec<u32> = ring.iter().map(|v| place[*v as usize]).collect();
+                ring.dedup();
+                while ring.len() > 1 && ring.first() == ring.last() {
+                    ring.pop();
+                }
+                ring
+            });
+            let mut rings = merged.filter(|ring| ring.len() >= 3).peekable();
+            if rings.peek().is_some() {
+                mesh.push_face(rings);
+            }
+        }
+        mesh
     }
 
     /// The same without vertices that no face uses.
@@ -122,6 +146,31 @@ impl Section for Plane {
             self.heights.push(0.0);
             self.positions.len() as u32 - 1
         })
+    }
+}
+
+impl Plane {
+    /// For each vertex the first one in its place, where several of the plane coincide: rims that touch would leave
+    /// caps without width between them, which no cap can close. `None` where all are apart, as mostly.
+    fn twins(&self) -> Option<Vec<u32>> {
+        let mut inside: Vec<u32> =
+            (0..self.heights.len() as u32).filter(|v| self.heights[*v as usize] == 0.0).collect();
+        // Askew, because vertices tend to share their height or their place in plan.
+        let (u, v) = self.normal.any_orthonormal_pair();
+        let u = u + v * 0.618;
+        let along = |v: &u32| self.positions[*v as usize].dot(u);
+        inside.sort_by(|a, b| along(a).total_cmp(&along(b)).then(a.cmp(b)));
+        let mut place: Vec<u32> = (0..self.heights.len() as u32).collect();
+        let mut merged = false;
+        for (i, a) in inside.iter().enumerate() {
+            for b in inside[i + 1..].iter().take_while(|b| along(b) - along(a) <= IN_PLANE) {
+                if self.positions[*a as usize].distance(self.positions[*b as usize]) <= IN_PLANE {
+                    place[*b as usize] = place[*a as usize];
+                    merged = true;
+                }
+            }
+        }
+        merged.then_some(place)
     }
 }
 
