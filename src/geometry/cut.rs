@@ -150,12 +150,15 @@ impl Line {
 }
 
 /// Polygons from outer rings and holes, each hole in the outer ring that surrounds it; added to `parts`.
+///
+/// A hole may touch its outer ring and stick out of it by a rounding, so the ring with most of its vertices has it.
 pub(super) fn nest(outers: Vec<Vec<DVec2>>, holes: Vec<Vec<DVec2>>, parts: &mut Area) {
     let polygons: Vec<Polygon> = outers.iter().filter_map(|r| Polygon::new(r, &[])).collect();
     let mut inside: Vec<Vec<Vec<DVec2>>> = vec![Vec::new(); polygons.len()];
     for hole in holes {
-        let owner = (polygons.len() > 1).then(|| polygons.iter().position(|p| hole.iter().all(|v| p.contains(*v))));
-        if let Some(list) = inside.get_mut(owner.flatten().unwrap_or(0)) {
+        let shared = |i: &usize| hole.iter().filter(|v| polygons[*i].contains(**v)).count();
+        let owner = if polygons.len() > 1 { (0..polygons.len()).max_by_key(shared) } else { Some(0) };
+        if let Some(list) = owner.and_then(|i| inside.get_mut(i)) {
             list.push(hole);
         }
     }

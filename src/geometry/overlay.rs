@@ -23,6 +23,10 @@ const FARTHEST: f64 = 1e11;
 /// Corners sharper than this are cut off instead of mitred out (radians).
 const SHARPEST_MITRE: f64 = 0.35;
 
+/// Corners flatter than this are cut off too (radians): their mitre is a matter of rounding, and the cut takes off
+/// less than a fifty-thousandth of the distance.
+const FLATTEST_MITRE: f64 = 0.01;
+
 /// Arcs deviate from their circle by at most this (metres).
 const ARC_ERROR: f64 = 0.005;
 
@@ -59,7 +63,7 @@ pub(super) fn enclosed<'a>(paths: impl Iterator<Item = &'a [DVec2]>, fill: Fill)
 /// The area grown by a distance, or shrunk by a negative one.
 pub(super) fn outline(whole: &Area, distance: f64, corner: Corner) -> Area {
     let mut style = IntOutlineStyle::new(steps(distance)).line_join(join(corner, distance.abs()));
-    style.miter_min_turn = Angle::from_bits(0);
+    style.miter_min_turn = angle(FLATTEST_MITRE);
     let rings = rings(whole);
     if rings.validate_outline(&style).is_err() {
         return Area::empty();
@@ -71,7 +75,7 @@ pub(super) fn outline(whole: &Area, distance: f64, corner: Corner) -> Area {
 pub(super) fn stroked(line: &[DVec2], width: f64, corner: Corner, closed: bool) -> Area {
     let mut style = IntStrokeStyle::new(steps(width));
     style.join = join(corner, width * 0.5);
-    style.miter_min_turn = Angle::from_bits(0);
+    style.miter_min_turn = angle(FLATTEST_MITRE);
     let path = to_grid(line);
     if path.validate_stroke(&style).is_err() {
         return Area::empty();
@@ -84,7 +88,6 @@ fn options() -> IntOverlayOptions<u128> {
 }
 
 fn join(corner: Corner, radius: f64) -> IntLineJoin {
-    let angle = |radians: f64| Angle::from_radians(radians).unwrap_or(ArcOptions::MAX_STEP);
     match corner {
         Corner::Mitre => IntLineJoin::Miter(angle(SHARPEST_MITRE)),
         Corner::Round => {
@@ -92,6 +95,10 @@ fn join(corner: Corner, radius: f64) -> IntLineJoin {
             IntLineJoin::Round(ArcOptions { max_step: angle(step), ..ArcOptions::default() })
         }
     }
+}
+
+fn angle(radians: f64) -> Angle {
+    Angle::from_radians(radians).unwrap_or(ArcOptions::MAX_STEP)
 }
 
 fn steps(length: f64) -> i64 {

@@ -182,7 +182,9 @@ fn push_nested(mesh: &mut Mesh, rings: Vec<Vec<u32>>, positions: &[DVec3], u: DV
     let turned = rings.into_iter().map(|ring| (planar(&ring), ring));
     let (mut outlines, holes): (Vec<_>, Vec<_>) = turned.partition(|(flat, _)| ring_area(flat) > 0.0);
     outlines.sort_by(|a, b| ring_area(&a.0).total_cmp(&ring_area(&b.0)));
-    let owner = |hole: &[DVec2]| outlines.iter().position(|(outline, _)| hole.iter().any(|p| winds(outline, *p)));
+    let shared = |i: usize, hole: &[DVec2]| hole.iter().filter(|p| winds(&outlines[i].0, **p)).count();
+    // The least of those that surround most of the hole, whose vertices may lie on a rim.
+    let owner = |hole: &[DVec2]| (0..outlines.len()).rev().max_by_key(|i| shared(*i, hole));
     let owners: Vec<Option<usize>> = holes.iter().map(|(hole, _)| owner(hole)).collect();
     for (i, (_, outline)) in outlines.into_iter().enumerate() {
         let own = holes.iter().zip(&owners).filter(|(_, owner)| **owner == Some(i)).map(|((_, hole), _)| hole);
