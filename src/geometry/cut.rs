@@ -5,6 +5,7 @@
 //! allocation per part.
 
 use crate::geometry::clip::{Section, clip};
+use crate::geometry::overlay::{Fill, enclosed};
 use crate::geometry::{Area, LEAST_AREA, Polygon, ring_area};
 use glam::DVec2;
 use smallvec::SmallVec;
@@ -143,6 +144,11 @@ impl Line {
         }
         let rings: SmallVec<[&[DVec2]; 4]> = polygon.rings().collect();
         let clipped = clip(rings.iter().copied(), &mut self);
+        if clipped.touching {
+            let whole = clipped.whole.iter().map(|i| rings[*i]);
+            let sorted_out = enclosed(clipped.loops.iter().map(Vec::as_slice).chain(whole), Fill::Positive);
+            return sorted_out.polygons().iter().for_each(|p| parts.push(p.clone()));
+        }
         let (outers, mut holes): (Vec<_>, Vec<_>) = clipped.loops.into_iter().partition(|r| ring_area(r) > 0.0);
         holes.extend(clipped.whole.into_iter().map(|i| rings[i].to_vec()));
         nest(outers, holes, parts);
