@@ -71,7 +71,11 @@ impl Section for Line {
     }
 
     fn crossing(&mut self, a: DVec2, b: DVec2) -> DVec2 {
-        Line::crossing(self, a, b)
+        match (self.height(a), self.height(b)) {
+            (0.0, _) => a,
+            (_, 0.0) => b,
+            (ha, hb) => self.met((a, ha), (b, hb)),
+        }
     }
 }
 
@@ -87,15 +91,8 @@ impl Line {
         if height.abs() <= ON_LINE { 0.0 } else { height }
     }
 
-    /// Where the segment meets the line, the same for both directions.
-    fn crossing(&self, a: DVec2, b: DVec2) -> DVec2 {
-        let (ha, hb) = (self.height(a), self.height(b));
-        if ha == 0.0 {
-            return a;
-        }
-        if hb == 0.0 {
-            return b;
-        }
+    /// Where the segment between two points of known heights meets the line, the same for both directions.
+    fn met(&self, (a, ha): (DVec2, f64), (b, hb): (DVec2, f64)) -> DVec2 {
         let (low, high, h, rise) = if ha < hb { (a, b, ha, hb - ha) } else { (b, a, hb, ha - hb) };
         self.snapped(low + (high - low) * (-h / rise))
     }
@@ -114,19 +111,38 @@ impl Line {
     /// The kept part of a convex ring.
     pub fn clip_convex(&self, ring: &[DVec2]) -> Ring {
         let mut kept = Ring::new();
-        let Some(mut before) = ring.last().copied() else { return kept };
-        let mut above = self.depth(before);
-        for &vertex in ring {
-            let depth = self.depth(vertex);
-            if (above > 0.0 && depth < 0.0) || (above < 0.0 && depth > 0.0) {
-                kept.push(self.crossing(before, vertex));
+        let Some(mut before) = ring.last().map(|p| (*p, self.height(*p))) else { return kept };
+        for vertex in ring.iter().map(|p| (*p, self.height(*p))) {
+            if before.1 * vertex.1 < 0.0 {
+                kept.push(self.met(before, vertex));
             }
-            if depth >= 0.0 {
-                kept.push(vertex);
+            if self.keep * vertex.1 >= 0.0 {
+                kept.push(vertex.0);
             }
-            (before, above) = (vertex, depth);
+            before = vertex;
         }
         kept
+    }
+
+    /// The parts of a convex ring before and beyond the line.
+    fn split_convex(&self, ring: &[DVec2]) -> (Ring, Ring) {
+        let (mut below, mut above) = (Ring::new(), Ring::new());
+        let Some(mut before) = ring.last().map(|p| (*p, self.height(*p))) else { return (below, above) };
+        for vertex in ring.iter().map(|p| (*p, self.height(*p))) {
+            if before.1 * vertex.1 < 0.0 {
+                let met = self.met(before, vertex);
+                below.push(met);
+                above.push(met);
+            }
+            if vertex.1 <= 0.0 {
+                below.push(vertex.0);
+            }
+            if vertex.1 >= 0.0 {
+                above.push(vertex.0);
+            }
+            before = vertex;
+        }
+        (below, above)
     }
 
     /// The kept part of a polygon, added to `parts`.
@@ -227,8 +243,9 @@ fn peel(polygon: &Polygon, normal: DVec2, cuts: &[f64], parts: &mut [Area]) {
         if *cut >= high - ON_LINE {
             return push_ring(&rest, part);
         }
-        push_ring(&Line::new(normal, *cut, false).clip_convex(&rest), part);
-        rest = Line::new(normal, *cut, true).clip_convex(&rest);
+        let (below, above) = Line::new(normal, *cut, true).split_convex(&rest);
+        push_ring(&below, part);
+        rest = above;
     }
 }
 
