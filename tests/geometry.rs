@@ -35,6 +35,11 @@ fn lattice() -> impl Strategy<Value = Area> {
     prop::collection::vec(prop::collection::vec(point, 3..14), 1..4).prop_map(|rings| repair(&rings).0)
 }
 
+/// Any number a file can hold, now and then an ordinary one.
+fn wild() -> impl Strategy<Value = f64> {
+    prop_oneof![any::<f64>(), -10.0..10.0f64, Just(0.0), Just(1e300), Just(-1e-300), Just(f64::NAN)]
+}
+
 /// A grid of points over the bounds of an area.
 fn samples(area: &Area, count: usize) -> Vec<DVec2> {
     let (bounds, step) = (area.bounds(), 1.0 / count as f64);
@@ -257,6 +262,32 @@ proptest! {
         prop_assert_eq!(spread.len(), count);
         prop_assert!(spread.iter().all(|p| area.contains(*p)));
         if count > 8 { prop_assert!(nearest(&spread) > nearest(&points)); }
+    }
+
+    #[test]
+    fn nothing_panics_whatever_the_numbers(
+        rings in prop::collection::vec(prop::collection::vec((wild(), wild()), 0..9), 0..3), x in wild(), y in wild()) {
+        let rings: Vec<Vec<DVec2>> = rings.iter().map(|r| r.iter().copied().map(DVec2::from).collect()).collect();
+        let area = repair(&rings).0;
+        let trusting = rings.first().and_then(|r| Polygon::new(r, &rings[1..])).map(Area::from);
+        for area in [Some(area), trusting].into_iter().flatten() {
+            for p in area.polygons() {
+                (p.centroid(), p.interior_point(), p.is_rectangle(y), p.oriented_box(), p.hull());
+                setback(p, |i| if i % 2 == 0 { x } else { y });
+            }
+            (inset(&area, x), offset(&area, y), buffered(&area, x), area.triangles());
+            bands(&area, DVec2::new(x, y).normalize_or_zero(), &[y, x, 5.0]);
+            band(&area, DVec2::X, x, y);
+            relax(&rings.concat(), &area, 2);
+            let prism = Mesh::prism(&area, x, y, |p, h| p.extend(h));
+            (prism.cut(glam::DVec3::Z, x, y), prism.footprint(), prism.triangles());
+        }
+        let all = rings.concat();
+        stroke(&all, x);
+        if let Some(path) = Path::new(&all) { (path.at(x), path.piece(x, y), path.resampled(y.abs().max(1e-3))); }
+        PointGrid::new(&all, x).within(DVec2::new(x, y), y).count();
+        BoxGrid::new(&all.windows(2).map(|w| Bounds { min: w[0], max: w[1] }).collect::<Vec<_>>())
+            .touching(Bounds { min: DVec2::splat(x), max: DVec2::splat(y) }).count();
     }
 
     #[test]

@@ -4,6 +4,9 @@ use crate::geometry::overlay::{Corner, stroked};
 use crate::geometry::{Area, Polygon, nearest_on_segment};
 use glam::DVec2;
 
+/// A line is resampled into at most this many steps.
+const MOST_STEPS: f64 = 1e6;
+
 /// A polyline of at least two distinct points, metres, with its lengths added up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
@@ -58,10 +61,10 @@ impl Path {
         Path::new(&points)
     }
 
-    /// Evenly spaced points from end to end, at most `spacing` apart along the line; both ends where the spacing is
-    /// not positive.
+    /// Evenly spaced points from end to end, at most `spacing` apart along the line (or a million of them); both ends
+    /// where the spacing is not positive.
     pub fn resampled(&self, spacing: f64) -> Vec<DVec2> {
-        let steps = if spacing > 0.0 { (self.length() / spacing - 1e-9).ceil().max(1.0) } else { 1.0 };
+        let steps = if spacing > 0.0 { (self.length() / spacing - 1e-9).ceil().clamp(1.0, MOST_STEPS) } else { 1.0 };
         (0..=steps as usize).map(|i| self.at(self.length() * i as f64 / steps).0).collect()
     }
 
