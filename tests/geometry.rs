@@ -5,14 +5,13 @@ mod polygons;
 
 use bosquet::geometry::*;
 use glam::DVec2;
-use polygons::{area, convex, direction, polygon};
+use polygons::{area, convex, polygon};
 use proptest::prelude::*;
 
 /// Every ring simple and rightly turned, holes inside: the repaired area is the area.
 fn assert_sound(area: &Area) {
     for part in area.polygons() {
-        assert!(ring_area(part.outer()) > 0.0);
-        assert!(part.holes().all(|h| ring_area(h) < 0.0));
+        part.sanity_check().unwrap();
         let rings: Vec<Vec<DVec2>> = part.rings().map(<[DVec2]>::to_vec).collect();
         let (repaired, _) = repair(&rings);
         close(repaired.area(), part.area(), 1e-4 + 1e-5 * part.perimeter());
@@ -22,6 +21,23 @@ fn assert_sound(area: &Area) {
 #[track_caller]
 fn close(a: f64, b: f64, slack: f64) {
     assert!((a - b).abs() <= slack, "{a} is not {b}");
+}
+
+/// A unit vector, now and then along an axis.
+fn direction() -> impl Strategy<Value = DVec2> {
+    let any = (0.0..360.0f64).prop_map(|a| DVec2::new(libm::cos(a.to_radians()), libm::sin(a.to_radians())));
+    prop_oneof![1 => Just(DVec2::X), 1 => Just(DVec2::Y), 1 => Just(DVec2::NEG_X), 3 => any]
+}
+
+/// What wild rings on a lattice mean: collinear edges, parts that touch in points, holes that touch the rim.
+fn lattice() -> impl Strategy<Value = Area> {
+    let point = (-6i32..6, -6i32..6).prop_map(|(x, y)| DVec2::new(x as f64, y as f64));
+    prop::collection::vec(prop::collection::vec(point, 3..14), 1..4).prop_map(|rings| repair(&rings).0)
+}
+
+/// Any number a file can hold, now and then an ordinary one.
+fn wild() -> impl Strategy<Value = f64> {
+    prop_oneof![any::<f64>(), -10.0..10.0f64, Just(0.0), Just(1e300), Just(-1e-300), Just(f64::NAN)]
 }
 
 /// A grid of points over the bounds of an area.
@@ -47,6 +63,38 @@ proptest! {
     }
 
     #[test]
+    fn bands_of_a_lattice_along_its_lines_are_sound(area in lattice(), flip in any::<bool>()) {
+        let normal = if flip { DVec2::X } else { DVec2::NEG_Y };
+        let cuts: Vec<f64> = (-6..=6).map(f64::from).collect();
+        let all = bands(&area, normal, &cuts);
+        close(all.iter().map(Area::area).sum(), area.area(), 1e-4);
+        for (part, cut) in all.iter().zip(cuts.windows(2)) {
+            assert_sound(part);
+            for p in samples(part, 8) {
+                if part.distance_to_edges(p) > 1e-4 {
+                    let inside = area.contains(p) && (cut[0]..=cut[1]).contains(&p.dot(normal));
+                    prop_assert_eq!(part.contains(p), inside);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn lattices_shrink_and_fall_apart_soundly(area in lattice(), distance in 0.05..1.0f64) {
+        let inner = inset(&area, distance);
+        assert_sound(&inner);
+        for (a, _) in inner.edges() {
+            let owner = area.polygons().iter().find(|p| p.contains(a));
+            prop_assert!(owner.is_some_and(|p| p.distance_to_edges(a) >= distance - 1e-4));
+        }
+        for part in area.polygons() {
+            let result = setback(part, |edge| if edge % 4 == 1 { 0.0 } else { distance });
+            let sum: f64 = result.strips.iter().map(|s| s.area.area()).sum();
+            close(sum + result.remainder.area(), part.area(), 1e-3);
+        }
+    }
+
+    #[test]
     fn convex_bands_agree_with_the_general_ones(polygon in convex(), normal in direction()) {
         let whole = Area::from(polygon.clone());
         let cuts: Vec<f64> = (-9..=9).map(|i| i as f64 * 6.7).collect();
@@ -67,7 +115,7 @@ proptest! {
             }
         }
         for p in samples(&area, 12) {
-            if area.contains(p) && area.distance_to_edges(p) > 4.0 * distance {
+            if area.contains(p) && area.distance_to_edges(p) > 6.0 * distance {
                 prop_assert!(inner.contains(p));
             }
         }
@@ -214,6 +262,32 @@ proptest! {
         prop_assert_eq!(spread.len(), count);
         prop_assert!(spread.iter().all(|p| area.contains(*p)));
         if count > 8 { prop_assert!(nearest(&spread) > nearest(&points)); }
+    }
+
+    #[test]
+    fn nothing_panics_whatever_the_numbers(
+        rings in prop::collection::vec(prop::collection::vec((wild(), wild()), 0..9), 0..3), x in wild(), y in wild()) {
+        let rings: Vec<Vec<DVec2>> = rings.iter().map(|r| r.iter().copied().map(DVec2::from).collect()).collect();
+        let area = repair(&rings).0;
+        let trusting = rings.first().and_then(|r| Polygon::new(r, &rings[1..])).map(Area::from);
+        for area in [Some(area), trusting].into_iter().flatten() {
+            for p in area.polygons() {
+                (p.centroid(), p.interior_point(), p.is_rectangle(y), p.oriented_box(), p.hull());
+                setback(p, |i| if i % 2 == 0 { x } else { y });
+            }
+            (inset(&area, x), offset(&area, y), buffered(&area, x), area.triangles());
+            bands(&area, DVec2::new(x, y).normalize_or_zero(), &[y, x, 5.0]);
+            band(&area, DVec2::X, x, y);
+            relax(&rings.concat(), &area, 2);
+            let prism = Mesh::prism(&area, x, y, |p, h| p.extend(h));
+            (prism.cut(glam::DVec3::Z, x, y), prism.footprint(), prism.triangles());
+        }
+        let all = rings.concat();
+        stroke(&all, x);
+        if let Some(path) = Path::new(&all) { (path.at(x), path.piece(x, y), path.resampled(y.abs().max(1e-3))); }
+        PointGrid::new(&all, x).within(DVec2::new(x, y), y).count();
+        BoxGrid::new(&all.windows(2).map(|w| Bounds { min: w[0], max: w[1] }).collect::<Vec<_>>())
+            .touching(Bounds { min: DVec2::splat(x), max: DVec2::splat(y) }).count();
     }
 
     #[test]

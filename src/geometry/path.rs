@@ -4,6 +4,9 @@ use crate::geometry::overlay::{Corner, stroked};
 use crate::geometry::{Area, Polygon, nearest_on_segment};
 use glam::DVec2;
 
+/// A line is resampled into at most this many steps.
+const MOST_STEPS: f64 = 1e6;
+
 /// A polyline of at least two distinct points, metres, with its lengths added up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
@@ -51,19 +54,17 @@ impl Path {
     /// The part between two distances along the line; `None` where nothing is between.
     pub fn piece(&self, from: f64, to: f64) -> Option<Path> {
         let (from, to) = (from.max(0.0), to.min(self.length()));
-        if !(from < to) {
-            return None;
-        }
+        (from < to).then_some(())?;
         let inner = self.points.iter().zip(&self.starts).filter(|(_, s)| **s > from && **s < to).map(|(p, _)| *p);
         let points: Vec<DVec2> =
             std::iter::once(self.at(from).0).chain(inner).chain(std::iter::once(self.at(to).0)).collect();
         Path::new(&points)
     }
 
-    /// Evenly spaced points from end to end, at most `spacing` apart along the line; both ends where the spacing is
-    /// not positive.
+    /// Evenly spaced points from end to end, at most `spacing` apart along the line (or a million of them); both ends
+    /// where the spacing is not positive.
     pub fn resampled(&self, spacing: f64) -> Vec<DVec2> {
-        let steps = if spacing > 0.0 { (self.length() / spacing - 1e-9).ceil().max(1.0) } else { 1.0 };
+        let steps = if spacing > 0.0 { (self.length() / spacing - 1e-9).ceil().clamp(1.0, MOST_STEPS) } else { 1.0 };
         (0..=steps as usize).map(|i| self.at(self.length() * i as f64 / steps).0).collect()
     }
 
