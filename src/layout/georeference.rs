@@ -63,7 +63,7 @@ impl Georeference {
         match &self.way {
             Way::Moved(_) => DVec2::from(world) - DVec2::from(self.centre),
             Way::Degrees(mercator) => mercator.forward(world),
-            Way::Through(system, mercator) => system.to_degrees(world).map_or(DVec2::NAN, |d| mercator.forward(d)),
+            Way::Through(system, mercator) => system.degrees_of(world).map_or(DVec2::NAN, |d| mercator.forward(d)),
         }
     }
 
@@ -72,7 +72,7 @@ impl Georeference {
         match &self.way {
             Way::Moved(_) => (plan + DVec2::from(self.centre)).to_array(),
             Way::Degrees(mercator) => mercator.inverse(plan),
-            Way::Through(system, mercator) => system.from_degrees(mercator.inverse(plan)).unwrap_or([f64::NAN; 2]),
+            Way::Through(system, mercator) => system.own_of(mercator.inverse(plan)).unwrap_or([f64::NAN; 2]),
         }
     }
 
@@ -80,7 +80,7 @@ impl Georeference {
     pub fn lonlat(&self, plan: DVec2) -> Option<[f64; 2]> {
         match &self.way {
             Way::Moved(None) => None,
-            Way::Moved(Some(system)) => system.to_degrees(self.to_world(plan)),
+            Way::Moved(Some(system)) => system.degrees_of(self.to_world(plan)),
             Way::Degrees(mercator) | Way::Through(_, mercator) => Some(mercator.inverse(plan)),
         }
     }
@@ -108,7 +108,7 @@ impl Way {
             name: crs.to_string(),
             reason: format!("the place {}, {} lies outside of it", centre[0], centre[1]),
         };
-        let mercator = TransverseMercator::around(system.to_degrees(centre).ok_or_else(outside)?);
+        let mercator = TransverseMercator::around(system.degrees_of(centre).ok_or_else(outside)?);
         let kept = system.is_true_grid(&mercator, centre);
         Ok(if kept { Way::Moved(Some(system)) } else { Way::Through(system, mercator) })
     }
@@ -125,13 +125,13 @@ impl System {
         Ok(System { own: proj(definition)?, degrees: proj(DEGREES)? })
     }
 
-    fn to_degrees(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
+    fn degrees_of(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
         let (x, y) = if self.own.is_latlong() { (x.to_radians(), y.to_radians()) } else { (x, y) };
         let (longitude, latitude) = transform_xy(&self.own, &self.degrees, x, y).ok()?;
         finite([longitude.to_degrees(), latitude.to_degrees()])
     }
 
-    fn from_degrees(&self, [longitude, latitude]: [f64; 2]) -> Option<[f64; 2]> {
+    fn own_of(&self, [longitude, latitude]: [f64; 2]) -> Option<[f64; 2]> {
         let (x, y) = transform_xy(&self.degrees, &self.own, longitude.to_radians(), latitude.to_radians()).ok()?;
         finite(if self.own.is_latlong() { [x.to_degrees(), y.to_degrees()] } else { [x, y] })
     }
@@ -140,7 +140,7 @@ impl System {
     fn is_true_grid(&self, mercator: &TransverseMercator, centre: [f64; 2]) -> bool {
         let reach = 100.0;
         let step = |x: f64, y: f64| {
-            let there = self.to_degrees([centre[0] + x, centre[1] + y])?;
+            let there = self.degrees_of([centre[0] + x, centre[1] + y])?;
             Some(mercator.forward(there) / reach)
         };
         let is_near = |got: Option<DVec2>, axis: DVec2| {

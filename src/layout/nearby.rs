@@ -1,6 +1,6 @@
 //! Who sees whom: the features in and at each region, and the regions at each other's edges.
 
-use crate::geometry::{BoxGrid, Bounds, Polygon, nearest_on_segment};
+use crate::geometry::{Bounds, BoxGrid, Polygon, nearest_on_segment};
 use crate::layout::{Layout, Region, Shapes};
 use glam::DVec2;
 
@@ -70,32 +70,37 @@ fn is_near(polygon: &Polygon, shapes: &Shapes) -> bool {
     match shapes {
         Shapes::Areas(areas) => areas.iter().any(|area| polygons_are_near(polygon, area)),
         Shapes::Lines(lines, width) => lines.iter().any(|line| line_is_near(polygon, line, REACH + width / 2.0)),
-        Shapes::Points(points) => {
-            points.iter().any(|p| polygon.contains(*p) || polygon.distance_to_edges(*p) <= REACH)
-        }
+        Shapes::Points(points) => points.iter().any(|p| polygon.contains(*p) || polygon.distance_to_edges(*p) <= REACH),
     }
 }
 
 fn line_is_near(polygon: &Polygon, line: &[DVec2], reach: f64) -> bool {
+    let edges = line.windows(2).map(|w| (w[0], w[1]));
     line.first().is_some_and(|p| polygon.contains(*p))
-        || edges_are_near(polygon.edges(), line.windows(2).map(|w| (w[0], w[1])), reach)
+        || edges_are_near(polygon.edges(), edges, Bounds::of(line.iter().copied()), reach)
 }
 
 /// Whether two polygons overlap or come within reach. One inside the other's hole does not count as inside.
 fn polygons_are_near(a: &Polygon, b: &Polygon) -> bool {
     a.bounds().grown(REACH).touches(b.bounds())
-        && (a.contains(b.outer()[0]) || b.contains(a.outer()[0]) || edges_are_near(a.edges(), b.edges(), REACH))
+        && (a.contains(b.outer()[0])
+            || b.contains(a.outer()[0])
+            || edges_are_near(a.edges(), b.edges(), b.bounds(), REACH))
 }
 
-/// Whether any two segments come within reach of each other.
+/// Whether any two segments come within reach of each other; `window` holds all of `b`.
 fn edges_are_near(
-    a: impl Iterator<Item = (DVec2, DVec2)>, b: impl Iterator<Item = (DVec2, DVec2)> + Clone, reach: f64,
+    a: impl Iterator<Item = (DVec2, DVec2)>,
+    b: impl Iterator<Item = (DVec2, DVec2)>,
+    window: Bounds,
+    reach: f64,
 ) -> bool {
     let box_of = |(from, to): (DVec2, DVec2)| Bounds { min: from.min(to), max: from.max(to) };
-    let whole = b.clone().map(box_of).fold(Bounds::EMPTY, Bounds::union).grown(reach);
-    let a: Vec<_> = a.filter(|edge| box_of(*edge).touches(whole)).collect();
+    let window = window.grown(reach);
+    let a: Vec<_> = a.filter(|edge| box_of(*edge).touches(window)).collect();
     let near = a.iter().copied().map(box_of).fold(Bounds::EMPTY, Bounds::union).grown(reach);
-    b.filter(|edge| box_of(*edge).touches(near)).any(|edge| {
+    let mut b = b.filter(|edge| box_of(*edge).touches(near));
+    b.any(|edge| {
         let around = box_of(edge).grown(reach);
         a.iter().any(|other| box_of(*other).touches(around) && segments_are_near(edge, *other, reach))
     })

@@ -147,7 +147,7 @@ impl Kind {
 
     /// Whether it means nothing without an area.
     pub(super) fn needs_area(&self) -> bool {
-        matches!(self, Kind::Lot | Kind::Block | Kind::Patio | Kind::Region)
+        matches!(self, Kind::Lot | Kind::Block | Kind::Patio | Kind::Avenue | Kind::Region)
     }
 
     /// Whether a line with a width is as good as an area.

@@ -64,10 +64,10 @@ impl Builder {
         let kind = properties.kind.take().unwrap_or_else(|| report.guessed(guess(&placed, &properties)));
         let elevation = properties.elevation.unwrap_or_else(|| mean_height(&parts));
         let facts = Facts { id: item.id, kind, elevation, properties };
-        if placed.polygons.is_empty() && facts.kind.needs_area() && facts.properties.width == 0.0 {
+        let has_region = self.add_regions(&facts, &placed, report);
+        if !has_region && facts.kind.needs_area() {
             report.without_area.add(&facts.id);
         }
-        self.add_regions(&facts, &placed, report);
         self.add_features(&facts, placed, report);
     }
 
@@ -134,17 +134,17 @@ impl Builder {
         if plan.is_finite() { Ok(plan) } else { Err(Flaw::Unplaceable) }
     }
 
-    /// The regions an item makes: its areas, or those of its lines.
-    fn add_regions(&mut self, facts: &Facts, placed: &Placed, report: &mut Report) {
+    /// The regions an item makes, of its areas and of its lines with a width; whether there are any.
+    fn add_regions(&mut self, facts: &Facts, placed: &Placed, report: &mut Report) -> bool {
         if !facts.kind.is_region() {
-            return;
+            return false;
         }
         let width = facts.properties.width;
         let strokes = placed.lines.iter().filter(|_| width > 0.0 && facts.kind.is_drawn_by_lines());
         let strokes = strokes.flat_map(|line| stroke(line, width).polygons().to_vec());
         let polygons: Vec<Polygon> = placed.polygons.iter().cloned().chain(strokes).collect();
         if polygons.is_empty() {
-            return;
+            return false;
         }
         let base = self.region_ids.claim(&facts.id, report);
         let is_one = polygons.len() == 1;
@@ -154,6 +154,7 @@ impl Builder {
             self.layout.regions.push(facts.region(id, polygon));
             self.origins.regions.push(self.items);
         }
+        true
     }
 
     /// The features an item makes: one each for its areas, lines and points.

@@ -68,7 +68,7 @@ impl Properties {
         let mut properties = Properties {
             kind: kind(map),
             name: text("name").map(Arc::from),
-            zone: text("zone").map_or_else(|| words.get(""), |z| words.get(&z)),
+            zone: words.get(&text("zone").unwrap_or_default()),
             start: text("start").map(|s| words.get(&s)),
             seed: seed.flatten(),
             height: height.unwrap_or(0.0).max(0.0),

@@ -132,12 +132,24 @@ impl Report {
 
     fn lints(&self) -> Vec<Diagnostic> {
         let tallies = [
-            (&self.repaired, "layout-repaired", "outlines that were open, repeated points or crossed themselves are repaired"),
+            (
+                &self.repaired,
+                "layout-repaired",
+                "outlines that were open, repeated points or crossed themselves are repaired",
+            ),
             (&self.renamed, "layout-id", "ids that occur more than once have got a suffix `-2`, `-3` …"),
-            (&self.without_area, "layout-kind", "features whose kind wants an area have none: no rule can start on them"),
+            (
+                &self.without_area,
+                "layout-kind",
+                "features whose kind wants an area have none: no rule can start on them",
+            ),
             (&self.far, "layout-far", "features lie more than 90 km from the others: lengths are not true there"),
             (&self.nested, "layout-property", "properties that are lists or objects are skipped"),
-            (&self.misused, "layout-property", "properties that should be numbers are none and keep no meaning of their own"),
+            (
+                &self.misused,
+                "layout-property",
+                "properties that should be numbers are none and keep no meaning of their own",
+            ),
         ];
         let told = tallies.into_iter().filter(|(tally, ..)| tally.count > 0);
         told.map(|(tally, code, words)| {
@@ -149,13 +161,15 @@ impl Report {
     fn notes(&self) -> Vec<Diagnostic> {
         let mut notes = Vec::new();
         if !self.flaws.is_empty() {
-            let counts: Vec<String> = self.flaws.iter().map(|(words, n)| format!("{} {words}", thousands(*n))).collect();
+            let counts: Vec<String> =
+                self.flaws.iter().map(|(words, n)| format!("{} {words}", thousands(*n))).collect();
             let message = format!("left out in all: {}", counts.join(", "));
             notes.push(self.summary(Severity::Note, "layout-geometry", message));
         }
         if !self.guesses.is_empty() {
             let total: usize = self.guesses.values().sum();
-            let taken: Vec<String> = self.guesses.iter().map(|(k, n)| format!("{} as `{}`", thousands(*n), k.word())).collect();
+            let taken: Vec<String> =
+                self.guesses.iter().map(|(k, n)| format!("{} as `{}`", thousands(*n), k.word())).collect();
             let message = format!("{} without a `kind` are taken: {}", counted(total, "feature"), taken.join(", "));
             let hint = "give each feature a property `kind`: lot, block, patio, avenue, region, building, street, tree, marker …";
             notes.push(self.summary(Severity::Note, "layout-kind", message).hint(hint));
