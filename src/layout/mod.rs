@@ -4,8 +4,12 @@
 
 mod crs;
 mod geojson;
+mod georeference;
+mod mercator;
+mod nearby;
 mod region;
 
-pub use crs::{Crs, CrsError, Georeference};
-pub use geojson::read_geojson;
+pub use crs::{Crs, CrsError};
+pub use geojson::{MOST_FEATURES, MOST_POSITIONS, read_geojson};
+pub use georeference::Georeference;
 pub use region::{Feature, Kind, Layout, Region, Shapes};

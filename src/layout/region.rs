@@ -110,6 +110,51 @@ pub enum Shapes {
 }
 
 impl Kind {
+    /// What the word of a `kind` property stands for; case does not count for the kinds there are.
+    pub fn parse(word: &str) -> Kind {
+        Kind::known(word).unwrap_or_else(|| Kind::Other(word.into()))
+    }
+
+    /// The kind called so, or by one of its common other names; none for the user's own words.
+    pub fn known(word: &str) -> Option<Kind> {
+        let word = word.to_ascii_lowercase();
+        Some(match word.as_str() {
+            "lot" | "parcel" | "plot" => Kind::Lot,
+            "block" => Kind::Block,
+            "patio" => Kind::Patio,
+            "avenue" => Kind::Avenue,
+            "region" => Kind::Region,
+            "building" => Kind::Building,
+            "driveway" | "drive" => Kind::Driveway,
+            "street" | "road" => Kind::Street,
+            "footway" | "path" | "sidewalk" => Kind::Footway,
+            "water" => Kind::Water,
+            "tree" => Kind::Tree,
+            "marker" | "entrance" | "door" | "window" | "garage" | "pool" => Kind::Marker(word.into()),
+            _ => return None,
+        })
+    }
+
+    /// Whether rules may start on its areas.
+    pub fn is_region(&self) -> bool {
+        !matches!(self, Kind::Building | Kind::Driveway | Kind::Tree | Kind::Marker(_))
+    }
+
+    /// Whether regions see its areas.
+    pub fn is_feature(&self) -> bool {
+        !matches!(self, Kind::Lot | Kind::Block | Kind::Patio | Kind::Avenue | Kind::Region | Kind::Other(_))
+    }
+
+    /// Whether it means nothing without an area.
+    pub(super) fn needs_area(&self) -> bool {
+        matches!(self, Kind::Lot | Kind::Block | Kind::Patio | Kind::Avenue | Kind::Region)
+    }
+
+    /// Whether a line with a width is as good as an area.
+    pub(super) fn is_drawn_by_lines(&self) -> bool {
+        matches!(self, Kind::Avenue | Kind::Street | Kind::Footway | Kind::Water)
+    }
+
     /// The word of GeoJSON's `kind` property and of `@Zone(kind, …)`.
     pub fn word(&self) -> &str {
         match self {
