@@ -4,8 +4,11 @@
 
 mod crs;
 mod geojson;
+mod georeference;
+mod mercator;
 mod region;
 
-pub use crs::{Crs, CrsError, Georeference};
+pub use crs::{Crs, CrsError};
 pub use geojson::read_geojson;
+pub use georeference::Georeference;
 pub use region::{Feature, Kind, Layout, Region, Shapes};
