@@ -1,9 +1,36 @@
 //! Plane and solid geometry: the only room that knows the geometry crates.
+//!
+//! Polygons and areas, where a point lies in them, cutting, offsets, booleans, lines, triangles, even spreading,
+//! grids, meshes. Knows nothing of shapes, scopes or the language.
 
+mod boolean;
 mod bounds;
+mod clip;
+mod cut;
+mod grid;
+mod hull;
+mod locate;
 mod mesh;
+mod offset;
+mod overlay;
+mod path;
 mod polygon;
+mod repair;
+mod setback;
+mod spread;
+mod triangulate;
 
+pub use boolean::{difference, intersection, overlap_area, overlaps, union, union_all};
 pub use bounds::Bounds;
+pub use cut::{band, bands};
+pub use grid::{BoxGrid, PointGrid};
+pub use hull::{OrientedBox, convex_hull};
+pub use locate::{NearestEdge, nearest_on_segment};
 pub use mesh::Mesh;
+pub use offset::{buffered, inset, offset};
+pub use path::{Path, stroke};
 pub use polygon::{Area, LEAST_AREA, Polygon, ring_area};
+pub use repair::repair;
+pub use setback::{Setback, Strip, setback};
+pub use spread::relax;
+pub use triangulate::triangulate;

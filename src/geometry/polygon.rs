@@ -139,6 +139,11 @@ impl Area {
         Area::default()
     }
 
+    /// Adds a part, which must not overlap the others.
+    pub fn push(&mut self, polygon: Polygon) {
+        self.0.push(polygon);
+    }
+
     /// The parts.
     pub fn polygons(&self) -> &[Polygon] {
         &self.0

@@ -1,0 +1,247 @@
+//! Cutting areas into bands between parallel lines.
+//!
+//! In: an area, a unit normal and positions along it. Out: the parts between, which sum to the whole; cut edges lie
+//! exactly on their line where that is parallel to an axis. Convex polygons take a path of their own that needs one
+//! allocation per part.
+
+use crate::geometry::clip::{Section, clip};
+use crate::geometry::{Area, LEAST_AREA, Polygon, ring_area};
+use glam::DVec2;
+use smallvec::SmallVec;
+
+/// Vertices nearer than this (metres) to a line lie on it.
+const ON_LINE: f64 = 1e-9;
+
+/// Convex rings up to this size are peeled band by band; larger ones are halved again and again.
+const FEW_VERTICES: usize = 24;
+
+/// A small ring on the stack.
+pub(super) type Ring = SmallVec<[DVec2; 16]>;
+
+/// The part of the area with `from <= p · normal <= to`; the normal is a unit vector, bounds may be infinite.
+///
+/// Empty where `to <= from` or a number is not a number.
+pub fn band(area: &Area, normal: DVec2, from: f64, to: f64) -> Area {
+    if !(from < to) {
+        return Area::empty();
+    }
+    let mut parts = Area::empty();
+    for polygon in area.polygons() {
+        band_of(polygon, normal, from, to, &mut parts);
+    }
+    parts
+}
+
+/// The areas between consecutive cuts: `cuts.len() - 1` of them, in order; the cuts must ascend, the first and the
+/// last may be infinite. Same as [`band`] for each pair, but costs n log k instead of n k for k cuts.
+pub fn bands(area: &Area, normal: DVec2, cuts: &[f64]) -> Vec<Area> {
+    let mut parts = vec![Area::empty(); cuts.len().saturating_sub(1)];
+    if parts.is_empty() || !cuts.is_sorted() || cuts.iter().any(|c| c.is_nan()) {
+        return parts;
+    }
+    for polygon in area.polygons() {
+        if !polygon.has_holes() && polygon.outer().len() <= FEW_VERTICES && is_convex(polygon.outer()) {
+            peel(polygon, normal, cuts, &mut parts);
+        } else {
+            let inside = band(&polygon.clone().into(), normal, cuts[0], cuts[cuts.len() - 1]);
+            halve(inside, normal, cuts, &mut parts);
+        }
+    }
+    parts
+}
+
+/// The straight line `p · normal = at`; what is kept lies on the side the normal points to, or on the other one.
+#[derive(Clone, Copy)]
+pub(super) struct Line {
+    /// Unit normal.
+    pub normal: DVec2,
+    /// Distance from the origin.
+    pub at: f64,
+    /// 1 to keep the side of the normal, -1 to keep the other.
+    pub keep: f64,
+}
+
+impl Section for Line {
+    type Point = DVec2;
+
+    fn depth(&self, point: DVec2) -> f64 {
+        self.keep * self.height(point)
+    }
+
+    fn along(&self, point: DVec2) -> f64 {
+        -self.keep * self.normal.perp_dot(point)
+    }
+
+    fn crossing(&mut self, a: DVec2, b: DVec2) -> DVec2 {
+        Line::crossing(self, a, b)
+    }
+}
+
+impl Line {
+    /// What lies at `at` and beyond, or before it.
+    pub fn new(normal: DVec2, at: f64, beyond: bool) -> Line {
+        Line { normal, at, keep: if beyond { 1.0 } else { -1.0 } }
+    }
+
+    /// Signed distance along the normal, exactly zero on the line.
+    fn height(&self, point: DVec2) -> f64 {
+        let height = point.dot(self.normal) - self.at;
+        if height.abs() <= ON_LINE { 0.0 } else { height }
+    }
+
+    /// Where the segment meets the line, the same for both directions.
+    fn crossing(&self, a: DVec2, b: DVec2) -> DVec2 {
+        let (ha, hb) = (self.height(a), self.height(b));
+        if ha == 0.0 {
+            return a;
+        }
+        if hb == 0.0 {
+            return b;
+        }
+        let (low, high, h, rise) = if ha < hb { (a, b, ha, hb - ha) } else { (b, a, hb, ha - hb) };
+        self.snapped(low + (high - low) * (-h / rise))
+    }
+
+    /// A point next to the line moved onto it, exactly where the line is parallel to an axis.
+    fn snapped(&self, point: DVec2) -> DVec2 {
+        if self.normal.y == 0.0 {
+            DVec2::new(self.at * self.normal.x, point.y)
+        } else if self.normal.x == 0.0 {
+            DVec2::new(point.x, self.at * self.normal.y)
+        } else {
+            point
+        }
+    }
+
+    /// The kept part of a convex ring.
+    pub fn clip_convex(&self, ring: &[DVec2]) -> Ring {
+        let mut kept = Ring::new();
+        let Some(mut before) = ring.last().copied() else { return kept };
+        let mut above = self.depth(before);
+        for &vertex in ring {
+            let depth = self.depth(vertex);
+            if (above > 0.0 && depth < 0.0) || (above < 0.0 && depth > 0.0) {
+                kept.push(self.crossing(before, vertex));
+            }
+            if depth >= 0.0 {
+                kept.push(vertex);
+            }
+            (before, above) = (vertex, depth);
+        }
+        kept
+    }
+
+    /// The kept part of a polygon, added to `parts`.
+    pub fn clip_polygon(mut self, polygon: &Polygon, parts: &mut Area) {
+        let (low, high) = extent(polygon.outer(), self.normal * self.keep);
+        let at = self.at * self.keep;
+        if low >= at - ON_LINE {
+            return parts.push(polygon.clone());
+        }
+        if high <= at + ON_LINE {
+            return;
+        }
+        if !polygon.has_holes() && is_convex(polygon.outer()) {
+            return push_ring(&self.clip_convex(polygon.outer()), parts);
+        }
+        let rings: SmallVec<[&[DVec2]; 4]> = polygon.rings().collect();
+        let clipped = clip(rings.iter().copied(), &mut self);
+        let (outers, mut holes): (Vec<_>, Vec<_>) = clipped.loops.into_iter().partition(|r| ring_area(r) > 0.0);
+        holes.extend(clipped.whole.into_iter().map(|i| rings[i].to_vec()));
+        nest(outers, holes, parts);
+    }
+}
+
+/// Polygons from outer rings and holes, each hole in the outer ring that surrounds it; added to `parts`.
+pub(super) fn nest(outers: Vec<Vec<DVec2>>, holes: Vec<Vec<DVec2>>, parts: &mut Area) {
+    let polygons: Vec<Polygon> = outers.iter().filter_map(|r| Polygon::new(r, &[])).collect();
+    let mut inside: Vec<Vec<Vec<DVec2>>> = vec![Vec::new(); polygons.len()];
+    for hole in holes {
+        let owner = (polygons.len() > 1).then(|| polygons.iter().position(|p| hole.iter().all(|v| p.contains(*v))));
+        if let Some(list) = inside.get_mut(owner.flatten().unwrap_or(0)) {
+            list.push(hole);
+        }
+    }
+    for (polygon, holes) in polygons.into_iter().zip(inside) {
+        let holed = if holes.is_empty() { Some(polygon) } else { Polygon::new(polygon.outer(), &holes) };
+        holed.into_iter().for_each(|p| parts.push(p));
+    }
+}
+
+/// Least and greatest position of the points along a direction.
+pub(super) fn extent(points: &[DVec2], direction: DVec2) -> (f64, f64) {
+    let positions = points.iter().map(|p| p.dot(direction));
+    positions.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), s| (low.min(s), high.max(s)))
+}
+
+/// Whether a counter-clockwise ring nowhere turns right. (A ring that only turns left but goes round twice is not
+/// simple, and so not a ring of a polygon.)
+pub(super) fn is_convex(ring: &[DVec2]) -> bool {
+    let Some([mut a, mut b]) = ring.last_chunk::<2>().copied() else { return false };
+    ring.iter().all(|c| {
+        let left = (b - a).perp_dot(c - b) >= 0.0;
+        (a, b) = (b, *c);
+        left
+    })
+}
+
+/// Adds a sound ring as a polygon; what has no area is left out.
+pub(super) fn push_ring(ring: &[DVec2], parts: &mut Area) {
+    if ring.len() >= 3 && ring_area(ring) >= LEAST_AREA {
+        parts.push(Polygon::from_ring(ring));
+    }
+}
+
+fn band_of(polygon: &Polygon, normal: DVec2, from: f64, to: f64, parts: &mut Area) {
+    let (low, high) = extent(polygon.outer(), normal);
+    let (cut_low, cut_high) = (low < from - ON_LINE, high > to + ON_LINE);
+    if high <= from + ON_LINE || low >= to - ON_LINE {
+        return;
+    }
+    if !cut_low && !cut_high {
+        return parts.push(polygon.clone());
+    }
+    let (lower, upper) = (Line::new(normal, from, true), Line::new(normal, to, false));
+    if !polygon.has_holes() && is_convex(polygon.outer()) {
+        let above = if cut_low { lower.clip_convex(polygon.outer()) } else { polygon.outer().into() };
+        let between = if cut_high { upper.clip_convex(&above) } else { above };
+        return push_ring(&between, parts);
+    }
+    let mut above = Area::empty();
+    lower.clip_polygon(polygon, &mut above);
+    above.polygons().iter().for_each(|p| upper.clip_polygon(p, parts));
+}
+
+/// Takes band after band off a convex polygon.
+fn peel(polygon: &Polygon, normal: DVec2, cuts: &[f64], parts: &mut [Area]) {
+    let (low, high) = extent(polygon.outer(), normal);
+    let first = cuts.partition_point(|c| *c <= low + ON_LINE).saturating_sub(1);
+    let mut rest = Line::new(normal, cuts[first], true).clip_convex(polygon.outer());
+    for (part, cut) in parts.iter_mut().zip(&cuts[1..]).skip(first) {
+        if *cut >= high - ON_LINE {
+            return push_ring(&rest, part);
+        }
+        push_ring(&Line::new(normal, *cut, false).clip_convex(&rest), part);
+        rest = Line::new(normal, *cut, true).clip_convex(&rest);
+    }
+}
+
+/// Halves the area at the middle cut until every part lies in one band.
+fn halve(area: Area, normal: DVec2, cuts: &[f64], parts: &mut [Area]) {
+    if area.is_empty() {
+        return;
+    }
+    if let [part] = parts {
+        area.polygons().iter().for_each(|p| part.push(p.clone()));
+        return;
+    }
+    let middle = parts.len() / 2;
+    let (mut below, mut above) = (Area::empty(), Area::empty());
+    for polygon in area.polygons() {
+        Line::new(normal, cuts[middle], false).clip_polygon(polygon, &mut below);
+        Line::new(normal, cuts[middle], true).clip_polygon(polygon, &mut above);
+    }
+    let (left, right) = parts.split_at_mut(middle);
+    halve(below, normal, &cuts[..=middle], left);
+    halve(above, normal, &cuts[middle..], right);
+}
