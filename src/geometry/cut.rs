@@ -22,12 +22,9 @@ pub(super) type Ring = SmallVec<[DVec2; 16]>;
 ///
 /// Empty where `to <= from` or a number is not a number.
 pub fn band(area: &Area, normal: DVec2, from: f64, to: f64) -> Area {
-    if !(from < to) {
-        return Area::empty();
-    }
     let mut parts = Area::empty();
-    for polygon in area.polygons() {
-        band_of(polygon, normal, from, to, &mut parts);
+    if from < to {
+        area.polygons().iter().for_each(|p| band_of(p, normal, from, to, &mut parts));
     }
     parts
 }

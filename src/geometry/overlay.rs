@@ -4,7 +4,7 @@
 //! that two areas share stays shared and results are the same on every platform. The engine computes in 64 bit
 //! integers with 128 bit products, which hold any place on earth at that step.
 
-use crate::geometry::{Area, LEAST_AREA, Polygon};
+use crate::geometry::{Area, LEAST_AREA, Polygon, ring_area};
 use glam::DVec2;
 use i_overlay::core::overlay::{IntOverlayOptions, Overlay};
 use i_overlay::i_float::int::angle::Angle;
@@ -106,17 +106,18 @@ fn rings(area: &Area) -> Rings {
     area.polygons().iter().flat_map(Polygon::rings).map(to_grid).collect()
 }
 
-/// Back to metres. Parts no wider than a few steps of the grid are traces of rounding and vanish.
+/// Back to metres. Parts and holes no wider than a few steps of the grid are traces of rounding and vanish.
 fn area(shapes: Vec<Rings>) -> Area {
     let metres =
         |ring: &Vec<Point>| -> Vec<DVec2> { ring.iter().map(|p| DVec2::new(p.x as f64, p.y as f64) / STEPS).collect() };
-    let sound = |p: &Polygon| p.area() > LEAST_AREA + p.perimeter() * (2.0 / STEPS);
-    shapes
-        .iter()
-        .filter_map(|shape| {
-            let holes: Vec<Vec<DVec2>> = shape.iter().skip(1).map(metres).collect();
-            Polygon::new(&metres(shape.first()?), &holes)
-        })
-        .filter(sound)
-        .collect()
+    let polygon = |shape: &Rings| {
+        let holes: Vec<Vec<DVec2>> = shape.iter().skip(1).map(metres).filter(|h| is_wide(h)).collect();
+        Polygon::new(&metres(shape.first()?), &holes).filter(|p| is_wide(p.outer()))
+    };
+    shapes.iter().filter_map(polygon).collect()
+}
+
+fn is_wide(ring: &[DVec2]) -> bool {
+    let around = ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| a.distance(*b));
+    ring_area(ring).abs() > LEAST_AREA + around.sum::<f64>() * (2.0 / STEPS)
 }
