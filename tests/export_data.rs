@@ -115,11 +115,8 @@ fn garden() -> Scene {
 
 fn any_plant() -> impl Strategy<Value = Plant> {
     let text = "[\\PC,\"\n;=é]{0,8}";
-    let number = prop_oneof![
-        Just(0.0),
-        0.0..40.0,
-        any::<f32>().prop_map(|x| f64::from(x)).prop_filter("finite", |x| x.is_finite())
-    ];
+    let number =
+        prop_oneof![Just(0.0), 0.0..40.0, any::<f32>().prop_map(f64::from).prop_filter("finite", |x| x.is_finite())];
     let place = (-3000.0..3000.0, -3000.0..3000.0, -50.0..4000.0);
     let texts = prop::collection::vec(text, 9);
     let numbers = prop::collection::vec(number, 4);

@@ -9,7 +9,7 @@ use glam::DVec2;
 
 /// Rounds of relaxation: enough that distances to the nearest neighbour vary by little, few enough that no lattice
 /// forms.
-const ROUNDS: usize = 12;
+const ROUNDS: usize = 6;
 
 /// Points at a density (per m²) and a deviation.
 ///
