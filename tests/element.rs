@@ -114,6 +114,7 @@ fn users_add_and_change_elements() {
         r##"
         [plant.betula-pendula]
         code = "SBI"
+        symbol = "broadleaf"
         types.adult = { height = 24 }
         types.ancient = { age = 100, height = 25, crown_diameter = 12 }
 
@@ -137,6 +138,7 @@ fn users_add_and_change_elements() {
     let birch = catalogue.find("birch", "adult").expect("a birch");
     let figures = birch.variant.plant.expect("figures");
     assert_eq!((figures.height, figures.crown_radius, &*birch.entry.code), (24.0, 4.2, "SBI"));
+    assert_eq!(birch.variant.symbol, PlantSymbol::Broadleaf);
     let ancient = catalogue.find("birch", "ancient").expect("a type").variant.plant.expect("figures");
     assert_eq!((ancient.crown_radius, ancient.spacing_radius), (6.0, 6.0));
     assert_eq!(&*catalogue.find("oak", "evergreen").expect("an oak").entry.species, "Quercus ilex");
@@ -205,6 +207,32 @@ fn models_give_their_size() {
     let own = catalogue.find("own", "").expect("a plant").variant.plant.expect("figures");
     assert_eq!((own.height, own.crown_radius), (0.5, 1.0));
     assert!(found.iter().any(|d| d.message.contains("there is no file `site/lost.glb`")), "{found:#?}");
+}
+
+/// The same as a binary file.
+fn binary() -> Vec<u8> {
+    let json = format!("{BOX:<width$}", width = BOX.len().next_multiple_of(4));
+    let words = [0x4654_6c67_u32, 2, json.len() as u32 + 20, json.len() as u32, 0x4e4f_534a];
+    words.iter().flat_map(|word| word.to_le_bytes()).chain(json.bytes()).collect()
+}
+
+#[test]
+fn binary_models_are_read_and_broken_ones_refused() {
+    let read = |bytes: &[u8]| {
+        let world = MemoryWorld::default().with("m.glb", bytes);
+        Catalogue::built_in().extended("a.toml", b"[object.m]\ntypes.a = { model = \"m.glb\" }", &world)
+    };
+    let whole = binary();
+    let (catalogue, found) = read(&whole);
+    assert!(found.is_empty() && (catalogue.by_id("m").expect("m").usual().size[0] - 6.0).abs() < 1e-6, "{found:?}");
+    for at in 0..whole.len().min(60) {
+        for byte in [0, 1, 0x7f, 0xff] {
+            let mut broken = whole.clone();
+            broken[at] = byte;
+            read(&broken);
+        }
+        assert!(!read(&whole[..at]).1.is_empty());
+    }
 }
 
 proptest! {

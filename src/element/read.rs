@@ -100,13 +100,18 @@ fn read_names(record: &mut Record<'_>, entry: &mut Entry) {
         entry.label = name.clone();
     }
     if entry.code.is_empty() {
-        let letters = entry.category.chars().filter(|c| c.is_alphabetic()).take(3);
-        entry.code = letters.flat_map(char::to_uppercase).collect::<String>().into();
+        let letters = entry.category.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_uppercase);
+        entry.code = letters.chain("XXX".chars()).take(3).collect::<String>().into();
     }
 }
 
 fn read_looks(record: &mut Record<'_>, entry: &mut Entry) {
+    let former = entry.symbol;
     set(&mut entry.symbol, record.word("symbol"));
+    // Types that had the common symbol follow it; those with their own keep it.
+    for variant in entry.variants.iter_mut().filter(|variant| variant.symbol == former) {
+        variant.symbol = entry.symbol;
+    }
     set(&mut entry.form, record.word("form"));
     set(&mut entry.color, record.color("color"));
     set(&mut entry.line, record.color("line"));

@@ -1,1 +1,48 @@
-//! Points in polygons. Knows polygons and seeds and no language.
+//! Points in polygons: where plants stand. Knows polygons and seeds and no language.
+//!
+//! In: an area in plane metres, a count or a density, a seed. Out: points inside, in an order that means nothing but
+//! stays the same. Point number `n` of a scatter is the same whatever the count: asking for one more plant moves none.
+
+mod even;
+mod scatter;
+
+pub use even::{distributed, homogeneous};
+pub use scatter::{Scatter, gaussian, uniform};
+
+use crate::geometry::Area;
+
+/// More points than this in one area are refused: a forest of a million trees has no place in one lot.
+pub const MOST_POINTS: usize = 1_000_000;
+
+/// Why no points were placed.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum PlacementError {
+    /// More than [`MOST_POINTS`].
+    #[error("{} points are more than the limit of {} in one shape", whole(*.0), crate::text::thousands(MOST_POINTS))]
+    TooMany(f64),
+    /// A density that is negative or no number.
+    #[error("a density must be a number of points per square metre from 0 up, not {0}")]
+    Density(f64),
+    /// A deviation that is negative or no number.
+    #[error("a deviation must be a number from 0 up, not {0}")]
+    Deviation(f64),
+}
+
+/// How many points a density (per m²) means in an area: rounded to the nearest.
+pub fn count_at(area: &Area, per_area: f64) -> Result<usize, PlacementError> {
+    if !per_area.is_finite() || per_area < 0.0 {
+        return Err(PlacementError::Density(per_area));
+    }
+    let count = (area.area() * per_area).round();
+    if count <= MOST_POINTS as f64 { Ok(count as usize) } else { Err(PlacementError::TooMany(count)) }
+}
+
+/// The count, if it is allowed.
+fn allowed(count: usize) -> Result<usize, PlacementError> {
+    if count <= MOST_POINTS { Ok(count) } else { Err(PlacementError::TooMany(count as f64)) }
+}
+
+fn whole(count: f64) -> String {
+    // Saturates: what matters is that it is far too many.
+    crate::text::thousands(count as usize)
+}
