@@ -147,12 +147,24 @@ impl Scan<'_> {
         let kind = self.tokens[index].kind;
         let header = if kind == Kind::Squiggle { self.paper_header(index) } else { self.header(index) };
         let Some(start) = header.filter(|start| *start > self.start()) else { return };
+        if kind == Kind::Equal && self.leads_on(start - 1) {
+            return;
+        }
         let begins = match kind {
             Kind::Bent => self.tokens[start].first && self.open.is_empty(),
             _ => self.open.is_empty() || self.breaks_out(start, kind),
         };
         if begins {
             self.begin(start);
+        }
+    }
+
+    /// Whether no definition can end with this token: the `=` after what follows it is a slip for `==`.
+    fn leads_on(&self, index: usize) -> bool {
+        match self.tokens[index].kind {
+            Kind::Case | Kind::Logic | Kind::Mark | Kind::Percent => true,
+            Kind::Sign => self.char(index) != b'*',
+            _ => false,
         }
     }
 

@@ -73,6 +73,7 @@ fn subdivision(builder: &Builder<'_>, mut call: Call) -> Call {
         let message = format!("`Subdiv` has {sizes} for {parts}");
         let hint = "each part between the bars needs its size: `Subdiv(y, 7, 1r){ A | B }`";
         builder.report(Diagnostic::error("syntax-arguments", call.span, message).hint(hint));
+        return call;
     }
     for (entry, size) in call.blocks[0].entries.iter_mut().zip(sizes) {
         give_head(builder, entry, size.value, "Subdiv");
@@ -90,6 +91,7 @@ fn repetition(builder: &Builder<'_>, mut call: Call) -> Call {
         let message = format!("`Repeat` has {sizes} and {parts}, and takes one of each");
         let hint = "write `Repeat(x, 2){ A }`, or `split(x){ ~2 : A | 1 : B }*` for more";
         builder.report(Diagnostic::error("syntax-arguments", call.span, message).hint(hint));
+        return call;
     }
     for (entry, size) in call.blocks[0].entries.iter_mut().zip(sizes) {
         give_head(builder, entry, floating(size.value), "Repeat");

@@ -89,6 +89,11 @@ impl<'t> Builder<'t> {
     pub(super) fn checked(&self, call: Call) -> Call {
         for block in &call.blocks {
             self.check_heads(&call, block);
+            if block.repeat && !is_split(&call) {
+                let message = format!("`*` repeats a split, and `{}` is none", call.name.text);
+                let hint = "a block that repeats inside a split has a `|` before it: `{ 1 : A | { 2 : B }* }`";
+                self.report(Diagnostic::error("syntax-block", block.span, message).hint(hint));
+            }
         }
         if matches!(&*call.name.text, "union" | "subtract" | "intersect") {
             self.check_operands(&call);

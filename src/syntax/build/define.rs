@@ -16,10 +16,10 @@ impl<'t> Builder<'t> {
         let notes = next_if(&mut inner, Rule::notes);
         let end = notes.as_ref().map_or(name.span, |notes| self.span(notes));
         let span = Span { start: name.span.start - 1, ..name.span }.to(end);
-        let mut args = Vec::new();
-        for note in notes.into_iter().flat_map(Pair::into_inner) {
-            args.push(self.arg(&mut note.into_inner())?);
-        }
+        let args = match notes {
+            Some(notes) => self.args(notes)?,
+            None => Vec::new(),
+        };
         Some(Annotation { name, args, span })
     }
 

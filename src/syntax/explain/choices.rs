@@ -58,6 +58,9 @@ impl Broken<'_> {
                 self.error("syntax-else", self.span(at), message)
             }
             Fault::LoneElse { at } => {
+                if let Some(percent) = self.bare_percent(at) {
+                    return self.no_colon_after_percent(percent);
+                }
                 let message = "this `else` belongs to no `case` and to no percentage";
                 self.error("syntax-else", self.span(at), message)
             }
@@ -66,11 +69,28 @@ impl Broken<'_> {
     }
 
     fn operations_before(&self, at: usize, by_chance: bool) -> Diagnostic {
+        if let Some(percent) = self.bare_percent(at).filter(|_| by_chance) {
+            return self.no_colon_after_percent(percent);
+        }
         let (code, what) = if by_chance { ("syntax-chance", "a percentage") } else { ("syntax-case", "`case`") };
         let message = format!("operations cannot stand before {what} in the same successor");
         let sign = if by_chance { "50% : A else : B" } else { "case a : A else : B" };
         self.error(code, self.span(at), message)
             .hint(format!("wrap the choice in brackets, `t(0,1,0) [ {sign} ]`, or give it a rule of its own"))
+    }
+}
+
+impl Broken<'_> {
+    /// The last `30 %` before a token that has no colon after it.
+    fn bare_percent(&self, before: usize) -> Option<usize> {
+        let bare = |at: usize| self.kind(at) == Some(Kind::Percent) && self.kind(at + 1) != Some(Kind::Colon);
+        (self.piece.tokens.start..before).rev().find(|at| bare(*at) && self.kind_before(*at) == Some(Kind::Number))
+    }
+
+    /// `30% A`
+    pub(super) fn no_colon_after_percent(&self, percent: usize) -> Diagnostic {
+        let message = "this `%` has no `:` after it";
+        self.error("syntax-chance", self.span(percent), message).hint("write `30% : A  20% : B  else : C`")
     }
 }
 

@@ -13,6 +13,9 @@ impl Broken<'_> {
                 phrases.push(phrase);
             }
         }
+        if phrases.contains(&VALUE) || phrases.contains(&OPERATION) {
+            phrases.retain(|phrase| !matches!(*phrase, "a name" | "a text in double quotes"));
+        }
         let found = self.found(place);
         let message = match phrases.split_last() {
             None => format!("{found} cannot stand here"),
@@ -34,16 +37,19 @@ impl Broken<'_> {
     }
 }
 
+const VALUE: &str = "a value";
+const OPERATION: &str = "an operation or symbol";
+
 /// A rule of the grammar as people would say it; `None` for what would only be noise.
 fn phrase(rule: Rule) -> Option<&'static str> {
     Some(match rule {
         Rule::number | Rule::share | Rule::paren | Rule::array | Rule::prefix | Rule::value | Rule::condition => {
             "a value"
         }
-        Rule::element | Rule::row | Rule::probability | Rule::key => "a value",
-        Rule::case_values | Rule::chance => "a value",
-        Rule::step | Rule::push | Rule::inline | Rule::perimeter | Rule::perimeter_name => "an operation or symbol",
-        Rule::body | Rule::entry => "an operation or symbol",
+        Rule::element | Rule::row | Rule::probability | Rule::key => VALUE,
+        Rule::case_values | Rule::chance => VALUE,
+        Rule::step | Rule::push | Rule::inline | Rule::perimeter | Rule::perimeter_name => OPERATION,
+        Rule::body | Rule::entry => OPERATION,
         Rule::name => "a name",
         Rule::text => "a text in double quotes",
         Rule::params => "parameters in parentheses",
@@ -51,9 +57,11 @@ fn phrase(rule: Rule) -> Option<&'static str> {
         Rule::overriding => "a name",
         Rule::block | Rule::values_block | Rule::perimeter_block => "`{`",
         Rule::separator => "`:`",
-        Rule::percentage | Rule::chances | Rule::chance_values => "a percentage",
-        Rule::r#else => "`else`",
-        Rule::case => "`case`",
+        Rule::assign => "`:=`",
+        Rule::sum | Rule::product | Rule::comparison | Rule::and | Rule::or => "an operator",
+        Rule::percentage => "a percentage",
+        Rule::else_word => "`else`",
+        Rule::case_word => "`case`",
         _ => return None,
     })
 }

@@ -31,7 +31,8 @@ impl Broken<'_> {
     fn bent_arrow(&self) -> Option<Diagnostic> {
         let at = self.find(Kind::Bent)?;
         let written = self.word(at);
-        if written == "=>" && self.opener(at).is_some() {
+        let header = at.checked_sub(1).map(|last| self.operand_start(last)) == Some(self.piece.tokens.start);
+        if written == "=>" && !header {
             let message = "`=>` compares nothing";
             return Some(self.error("syntax", self.span(at), message).hint("at least is written `>=`"));
         }
@@ -126,6 +127,11 @@ impl Broken<'_> {
 
     /// Signs that cannot stand where they do.
     fn sign(&self, at: usize) -> Option<Diagnostic> {
+        let percent =
+            |index: usize| self.kind(index) == Some(Kind::Percent) && self.kind(index + 1) != Some(Kind::Colon);
+        if let Some(percent) = [at, at + 1].into_iter().find(|index| percent(*index)) {
+            return Some(self.no_colon_after_percent(percent));
+        }
         let around = self.opener(at).map_or("", |opener| self.word(opener));
         let (message, hint) = match (self.tokens[at].kind, self.word(at), around) {
             (Kind::Semicolon, _, "(") => ("`;` cannot stand here", "arguments are separated by commas"),
@@ -137,7 +143,7 @@ impl Broken<'_> {
             (Kind::Arrow, ..) => {
                 ("`-->` cannot stand here", "it begins a rule; in a block `:` stands before a successor")
             }
-            (Kind::Bar, _, "(") => ("`|` cannot stand here", "or is written `||`"),
+            (Kind::Bar, _, "" | "(" | "[") => ("`|` cannot stand here", "or is written `||`"),
             (Kind::Other, "&", _) => ("`&` is nothing", "and is written `&&`"),
             (Kind::Other, word, _) => {
                 let message = format!("`{word}` means nothing in a rule file");
@@ -175,10 +181,12 @@ impl Broken<'_> {
         let is_separator = |kind| matches!(kind, Kind::Colon | Kind::Equal | Kind::Joined);
         let part = self.part_start(opener, at);
         let headed = self.level(part..at).any(|index| is_separator(self.tokens[index].kind));
-        let head = if is_separator(self.tokens[at].kind) { self.operand_start(at.checked_sub(1)?) } else { at };
+        let within = is_separator(self.tokens[at].kind) || matches!(self.tokens[at].kind, Kind::Logic | Kind::Sign);
+        let head = if within { self.operand_start(at.checked_sub(1)?) } else { at };
         let mut rest = self.level(head..self.piece.tokens.end).map(|index| self.tokens[index].kind);
         let heads = rest.find(|kind| is_separator(*kind) || matches!(kind, Kind::Bar | Kind::Case | Kind::Else));
-        if head <= part || !headed && head == at || !heads.is_some_and(is_separator) {
+        let after_block = self.word(part) == "{";
+        if head <= part || !headed && !after_block && head == at || !heads.is_some_and(is_separator) {
             return None;
         }
         let message = format!("a `|` is missing before {}", self.found(Some(head)));
@@ -190,15 +198,18 @@ impl Broken<'_> {
     fn no_colon(&self, at: usize) -> Option<Diagnostic> {
         let opener = self.opener(at).filter(|opener| self.word(*opener) == "{")?;
         let part = self.part_start(opener, at);
-        let colon = self.level(part..at).any(|index| matches!(self.tokens[index].kind, Kind::Colon | Kind::Equal));
+        let colon = |index: &usize| matches!(self.tokens[*index].kind, Kind::Colon | Kind::Equal | Kind::Joined);
+        let whole = || self.level(part..self.piece.tokens.end).take_while(|i| self.tokens[*i].kind != Kind::Bar);
         let sized = matches!(self.kind(part), Some(Kind::Number | Kind::Mark));
-        let begins = matches!(self.kind(at), Some(Kind::Name | Kind::Open | Kind::Bar | Kind::Close | Kind::Number));
-        if colon || !sized || !begins {
+        let compares = whole().any(|index| matches!(self.kind(index), Some(Kind::Logic | Kind::Sign)));
+        if whole().any(|index| colon(&index)) || !(sized || compares) {
             return None;
         }
         let last = at.checked_sub(1).filter(|last| *last >= part).unwrap_or(part);
-        let message = "a `:` is missing after this size";
-        let hint = "write for example `2 : Path` or `~1 : Lawn`";
+        let (message, hint) = match sized {
+            true => ("a `:` is missing after this size", "write for example `2 : Path` or `~1 : Lawn`"),
+            false => ("a `:` is missing after this selector", "write for example `top : Roof` or `all : Part`"),
+        };
         Some(self.error("syntax-block", self.span(part).to(self.span(last)), message).hint(hint))
     }
 
