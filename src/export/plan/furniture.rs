@@ -19,7 +19,7 @@ pub const SCALE_BLOCK: f64 = 19.0;
 pub fn paper(sheet: &Sheet) -> Layer {
     let window = sheet.window;
     let items = vec![
-        Shape::filled(Path::rectangle(DVec2::ZERO, sheet.size), PAPER).into(),
+        Shape::filled(Path::rectangle(DVec2::NEG_ONE, sheet.size + 2.0), PAPER).into(),
         Shape::filled(Path::rectangle(window.min, window.size()), FIELD).into(),
     ];
     Layer { items, windowed: false, ..Layer::new("paper", "Paper") }
@@ -51,6 +51,7 @@ pub fn title(words: &str, options: &PlanOptions, panel: Bounds) -> (Vec<Item>, f
         items.push(Text::new(line, panel.min + DVec2::new(0.0, y), style(size)).into());
     }
     let style = Style::plain(2.7).italic().ink(UMBER);
+    y += 1.4;
     for line in lettering::wrapped(options.subtitle.as_deref().unwrap_or(""), &style, room).into_iter().take(3) {
         y += 4.2;
         items.push(Text::new(line, panel.min + DVec2::new(0.0, y), style).into());
@@ -87,10 +88,10 @@ pub fn places(panel: Bounds, title_height: f64, below: bool) -> (Vec<Bounds>, Bo
         let first = columns.remove(0);
         return (columns, first);
     }
-    columns.truncate(1);
+    let first = columns[0];
     columns[0].min.y += title_height;
     columns[0].max.y -= SCALE_BLOCK + GUTTER;
-    (columns, panel)
+    (columns, first)
 }
 
 /// A bar of four parts in two tones, its left end on the baseline point, about `room` wide.

@@ -60,10 +60,10 @@ fn draw(cover: &Cover, sheet: &Sheet) -> Option<Item> {
 
 /// The darker rim that watercolour leaves where a wash dries.
 fn wash(ground: &Ground, texture: Texture) -> Option<Item> {
-    if texture == Texture::Plain || ground.area.area() < 6.0 {
+    if ground.fill.alpha == 0 || ground.area.area() < 6.0 {
         return None;
     }
-    let ink = ground.line.faded(0.13);
+    let ink = ground.line.faded(if texture == Texture::Plain { 0.09 } else { 0.13 });
     let band = |width: f64| Path::band(ground.area, &inset(ground.area, width));
     let items = vec![Shape::filled(band(0.35), ink).into(), Shape::filled(band(0.8), ink.faded(0.7)).into()];
     Some(Group { items, ..Group::default() }.into())

@@ -9,7 +9,7 @@ use crate::scene::LotOutline;
 use glam::DVec2;
 
 /// Font sizes of names, for large regions first.
-const SIZES: [f64; 3] = [2.9, 2.3, 1.8];
+const SIZES: [f64; 3] = [2.4, 2.1, 1.8];
 /// The most names on a sheet.
 const MOST: usize = 400;
 
@@ -42,13 +42,13 @@ fn name(lot: &LotOutline, board: &mut Board, sheet: &Sheet) -> Option<Item> {
     let area = sheet.frame.area(&lot.area);
     let (at, room) = place(&area)?;
     SIZES.into_iter().find_map(|size| {
-        let style = Style::plain(size).italic().strong().spaced(0.06);
+        let style = Style::plain(size).italic().strong().spaced(0.08);
         let extent = DVec2::new(lettering::width(&lot.name, &style), size);
         let bounds = Bounds::of([at - extent / 2.0, at + extent / 2.0]);
         let fits = extent.x <= room.x && extent.y * 1.4 <= room.y && inside(sheet.window, bounds);
         (fits && board.take(bounds.grown(0.6))).then(|| {
             let text = Text::new(&*lot.name, at + DVec2::new(0.0, size * 0.35), style);
-            text.anchored(Anchor::Middle).with_halo(PAPER.faded(0.8), size * 0.3).into()
+            text.anchored(Anchor::Middle).with_halo(PAPER.faded(0.7), size * 0.24).into()
         })
     })
 }

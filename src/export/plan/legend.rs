@@ -21,11 +21,13 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Height of a row of one line, of a row of two, and of a section's title with the air above it.
-const ROW: f64 = 5.0;
-const TALL_ROW: f64 = 7.0;
-const TITLE: f64 = 8.6;
+const ROW: f64 = 4.8;
+const TALL_ROW: f64 = 6.6;
+const TITLE: f64 = 8.2;
 /// Size of a sample of a surface.
 const SWATCH: DVec2 = DVec2::new(8.0, 3.6);
+/// The title of the first section.
+const PLANTS: &str = "Plants";
 /// Where the words start.
 const INDENT: f64 = 11.0;
 
@@ -59,12 +61,17 @@ enum Sample {
 pub fn sections(scene: &Scene) -> Vec<Section> {
     let section = |title, rows| Section { title, rows, more: 0 };
     let all = [
-        section("Plants", plants(&scene.plants)),
+        section(PLANTS, plants(&scene.plants)),
         section("Surfaces", covers(scene)),
         section("Hedges and buildings", solid_rows(scene)),
         section("Furniture", objects(&scene.objects)),
     ];
     all.into_iter().filter(|s| !s.rows.is_empty()).collect()
+}
+
+/// Height of the whole legend in one column.
+pub fn height(sections: &[Section]) -> f64 {
+    sections.iter().map(|s| TITLE + s.rows.iter().map(Row::height).sum::<f64>()).sum()
 }
 
 /// The legend in columns of the panel's height, as much of it as there is room for.
@@ -127,14 +134,16 @@ fn flow<'a>(sections: &'a [Section], columns: &[Bounds]) -> Option<Vec<(Line<'a>
     Some(placed)
 }
 
-/// Takes the last row off the longest section, or the last section off the legend.
+/// Takes the last row off the longest section, or the last section off the legend; plants count for less than
+/// half, for the plan is about them.
 fn shorten(sections: &mut Vec<Section>) {
-    match sections.iter_mut().rev().max_by_key(|s| s.rows.len()) {
-        Some(longest) if longest.rows.len() > 1 => {
+    let length = |s: &&mut Section| s.rows.len() * if s.title == PLANTS { 2 } else { 5 };
+    match sections.iter_mut().rev().filter(|s| s.rows.len() > 1).max_by_key(length) {
+        Some(longest) => {
             longest.rows.pop();
             longest.more += 1;
         }
-        _ => drop(sections.pop()),
+        None => drop(sections.pop()),
     }
 }
 

@@ -38,7 +38,9 @@ pub fn start(text: &Text) -> DVec2 {
 /// The outlines of all letters of a text, where they stand.
 pub fn outlines(text: &Text) -> Path {
     let (mut path, origin) = (Path::default(), start(text));
-    place(&text.words, &text.style, |glyph, x, _| add_glyph(&mut path, glyph, origin + DVec2::new(x, 0.0), &text.style));
+    place(&text.words, &text.style, |glyph, x, _| {
+        add_glyph(&mut path, glyph, origin + DVec2::new(x, 0.0), &text.style)
+    });
     path
 }
 

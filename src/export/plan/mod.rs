@@ -32,6 +32,7 @@ pub use png::{MOST_PIXELS, PlanError, Resolution, png};
 pub use svg::svg;
 
 use crate::export::plan::labels::Board;
+use crate::export::plan::legend::Section;
 use crate::export::plan::planting::Planting;
 use crate::export::plan::sheet::{GUTTER, Panel, Sheet};
 use crate::export::plan::symbol::Cabinet;
@@ -93,12 +94,13 @@ impl Default for PlanOptions {
 /// Draws a scene. Cost: linear in what the sheet shows, and in labels times labels.
 pub fn draw(scene: &Scene, options: &PlanOptions) -> Drawing {
     let extent = options.extent.filter(|e| !e.is_empty()).unwrap_or_else(|| extent(scene));
-    let sheet = Sheet::new(extent, options);
+    let legend = if options.legend { legend::sections(scene) } else { Vec::new() };
+    let sheet = Sheet::new(extent, legend::height(&legend), options);
     let mut cabinet = Cabinet::new(sheet.frame.turn(0.0));
     let mut layers = vec![furniture::paper(&sheet)];
     layers.extend(plan_layers(scene, options, &sheet, &mut cabinet));
     let title = options.title.clone().unwrap_or_else(|| scene.title.to_string());
-    layers.extend(furnishings(scene, &title, options, &sheet, &mut cabinet));
+    layers.extend(furnishings(legend, &title, options, &sheet, &mut cabinet));
     Drawing {
         title,
         size: sheet.size,
@@ -113,7 +115,11 @@ pub fn draw(scene: &Scene, options: &PlanOptions) -> Drawing {
 /// The plan itself, lowest layer first.
 fn plan_layers(scene: &Scene, options: &PlanOptions, sheet: &Sheet, cabinet: &mut Cabinet) -> Vec<Layer> {
     let planting = Planting::new(&scene.plants, sheet);
-    let mut shadows = Layer { opacity: 0.3, blur: 0.2, ..Layer::new("shadows", "Shadows") };
+    let mut shadows = Layer {
+        opacity: 0.3,
+        blur: (0.15 * sheet.frame.length(1.0)).clamp(0.15, 0.9),
+        ..Layer::new("shadows", "Shadows")
+    };
     shadows.items = solids::shadows(&scene.solids, sheet);
     shadows.items.extend(planting.shadows(cabinet, sheet));
     let mut layers = vec![
@@ -136,7 +142,13 @@ fn plan_layers(scene: &Scene, options: &PlanOptions, sheet: &Sheet, cabinet: &mu
 }
 
 /// Frame, title, legend, scale bar and north arrow.
-fn furnishings(scene: &Scene, title: &str, options: &PlanOptions, sheet: &Sheet, cabinet: &mut Cabinet) -> Vec<Layer> {
+fn furnishings(
+    legend: Vec<Section>,
+    title: &str,
+    options: &PlanOptions,
+    sheet: &Sheet,
+    cabinet: &mut Cabinet,
+) -> Vec<Layer> {
     let Some(panel) = sheet.panel else { return Vec::new() };
     let mut lettering = Layer { windowed: false, ..Layer::new("title", "Title and scale") };
     lettering.items = furniture::neatline(sheet);
@@ -148,7 +160,7 @@ fn furnishings(scene: &Scene, title: &str, options: &PlanOptions, sheet: &Sheet,
             let first = legend::columns(place).first().copied().unwrap_or(place);
             let (words, height) = furniture::title(title, options, first);
             let (columns, scale) = furniture::places(place, height + GUTTER * 0.5, below);
-            key.items = legend::draw(legend::sections(scene), &columns, cabinet, sheet);
+            key.items = legend::draw(legend, &columns, cabinet, sheet);
             lettering.items.extend(words);
             lettering.items.extend(furniture::scale_block(sheet, scale));
         }

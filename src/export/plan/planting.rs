@@ -64,7 +64,8 @@ impl<'a> Planting<'a> {
         let mut crowded: BTreeMap<(&str, &str), Vec<DVec2>> = BTreeMap::new();
         for (plant, at, radius) in self.drawn.iter().filter(|(p, ..)| !p.code.is_empty()) {
             let width = lettering::width(&plant.code, &style());
-            if width + 0.8 <= radius * 2.0 {
+            let place = Bounds::of([*at]).grown(width * 0.5);
+            if width + 0.8 <= radius * 2.0 && board.take(place) {
                 layer.items.push(code(plant.code.to_string(), *at));
             } else {
                 crowded.entry((&*plant.origin.lot, &*plant.code)).or_default().push(*at);
@@ -75,7 +76,8 @@ impl<'a> Planting<'a> {
             members.sort_by(|a, b| a.distance_squared(middle).total_cmp(&b.distance_squared(middle)));
             let words = if members.len() == 1 { words.to_string() } else { format!("{} {words}", members.len()) };
             let size = DVec2::new(lettering::width(&words, &style()) + 0.8, CODE * 1.1);
-            let free = members.into_iter().take(24).find(|at| board.take(Bounds::of([*at - size / 2.0, *at + size / 2.0])));
+            let free =
+                members.into_iter().take(24).find(|at| board.take(Bounds::of([*at - size / 2.0, *at + size / 2.0])));
             layer.items.extend(free.map(|at| code(words, at)));
         }
         layer
@@ -90,7 +92,8 @@ pub fn title(plant: &Plant) -> String {
         (common, "") => common.to_string(),
         (common, species) => format!("{common} ({species})"),
     };
-    let age = if plant.age > 0.0 { format!(", {}", counted(plant.age.round() as usize, "year")) } else { String::new() };
+    let age =
+        if plant.age > 0.0 { format!(", {}", counted(plant.age.round() as usize, "year")) } else { String::new() };
     let (height, crown) = (number(plant.height, 1), number(plant.crown_radius * 2.0, 1));
     format!("{name}, height {height} m, crown {crown} m{age}{}", if plant.existing { ", existing" } else { "" })
 }

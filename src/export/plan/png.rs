@@ -186,7 +186,8 @@ impl Canvas {
     fn part(&self, path: &tiny_skia::Path) -> Option<(Canvas, Mask)> {
         let bounds = path.bounds().transform(self.transform())?;
         let (width, height) = (self.pixels.width() as i32, self.pixels.height() as i32);
-        let (left, top) = ((bounds.left().floor() as i32).clamp(0, width), (bounds.top().floor() as i32).clamp(0, height));
+        let (left, top) =
+            ((bounds.left().floor() as i32).clamp(0, width), (bounds.top().floor() as i32).clamp(0, height));
         let right = (bounds.right().ceil() as i32).clamp(left, width);
         let bottom = (bounds.bottom().ceil() as i32).clamp(top, height);
         let (width, height) = ((right - left) as u32, (bottom - top) as u32);

@@ -16,12 +16,17 @@ pub const GUTTER: f64 = 6.0;
 pub const COLUMN: f64 = 64.0;
 /// Height of the strip below a plan without legend.
 const STRIP: f64 = 24.0;
-/// Height of the panel below a wide plan.
-const FOOT: f64 = 78.0;
-/// Least height of a sheet with a panel beside the plan.
-const LEAST_SIDE: f64 = 176.0;
-/// Least width of a sheet with a panel below.
-const LEAST_FOOT: f64 = 150.0;
+/// Least height of a panel with a legend below the plan.
+const LEAST_FOOT: f64 = 66.0;
+/// What title and scale take of the column beside the plan.
+const TITLE_BLOCK: f64 = 56.0;
+/// Least height of a sheet with a panel beside the plan, and how far the legend may stretch it.
+const LEAST_SIDE: f64 = 140.0;
+const TALLEST_SIDE: f64 = 296.0;
+/// Least width of a sheet with a strip below.
+const LEAST_STRIP: f64 = 150.0;
+/// Columns never break evenly: room for a row or two more in each.
+const SLACK: f64 = 12.0;
 /// Air around the plan inside its window.
 const AIR: f64 = 4.0;
 /// The sheet a plan of its own choice fits on: A3.
@@ -53,7 +58,7 @@ pub struct Sheet {
 /// Where the sheet's own lettering goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Panel {
-    /// One column beside the plan.
+    /// One or several columns beside the plan.
     Side(Bounds),
     /// Several columns below the plan.
     Foot(Bounds),
@@ -71,12 +76,17 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// Lays the plan's point `centre` on the paper's point `at`, turned counter-clockwise by `rotation` degrees.
-    pub fn new(scale: f64, rotation: f64, centre: DVec2, at: DVec2) -> Frame {
+    /// A frame of a scale, turned counter-clockwise by `rotation` degrees; the origins lie on each other.
+    pub fn new(scale: f64, rotation: f64) -> Frame {
         let east = direction(-rotation.to_radians());
         let matrix = DMat2::from_cols(east, DVec2::new(east.y, -east.x)) * (1000.0 / scale);
-        let map = DAffine2::from_mat2_translation(matrix, at - matrix * centre);
-        Frame { scale, map, turn: rotation }
+        Frame { scale, map: DAffine2::from_mat2(matrix), turn: rotation }
+    }
+
+    /// The same with the plan's point `centre` on the paper's point `at`.
+    pub fn centred(self, centre: DVec2, at: DVec2) -> Frame {
+        let translation = at - self.map.transform_vector2(centre);
+        Frame { map: DAffine2 { translation, ..self.map }, ..self }
     }
 
     /// A point of the plan on the paper.
@@ -107,22 +117,24 @@ impl Frame {
 
 impl Sheet {
     /// Chooses scale, sheet and places for a plan of the given extent (metres, before turning).
-    pub fn new(extent: Bounds, options: &PlanOptions) -> Sheet {
+    ///
+    /// `legend` is the legend's height in one column; 0 for none.
+    pub fn new(extent: Bounds, legend: f64, options: &PlanOptions) -> Sheet {
         let extent = if extent.is_empty() { Bounds { min: DVec2::ZERO, max: DVec2::ZERO } } else { extent };
         let size = turned_size(extent.size().max(DVec2::splat(1.0)), options.rotation);
         match options.size {
             PlanSize::Pixels(width, height) => {
-                fixed(extent, size, DVec2::new(width.into(), height.into()) / SCREEN, options)
+                fixed(extent, size, DVec2::new(width.into(), height.into()) / SCREEN, legend, options)
             }
-            PlanSize::Auto => fitted(extent, size, None, options),
-            PlanSize::MetresPerPixel(metres) => fitted(extent, size, Some(metres), options),
+            PlanSize::Auto => fitted(extent, size, None, legend, options),
+            PlanSize::MetresPerPixel(metres) => fitted(extent, size, Some(metres), legend, options),
         }
     }
 }
 
 /// A sheet that fits around the plan.
-fn fitted(extent: Bounds, size: DVec2, metres_per_pixel: Option<f64>, options: &PlanOptions) -> Sheet {
-    let sheet = |scale: f64| around(size * 1000.0 / scale, options);
+fn fitted(extent: Bounds, size: DVec2, pixel: Option<f64>, legend: f64, options: &PlanOptions) -> Sheet {
+    let sheet = |scale: f64| around(size * 1000.0 / scale, legend);
     let fits = |scale: &f64| {
         let paper = sheet(*scale).0;
         paper.cmple(A3).all() || paper.cmple(DVec2::new(A3.y, A3.x)).all()
@@ -130,29 +142,35 @@ fn fitted(extent: Bounds, size: DVec2, metres_per_pixel: Option<f64>, options: &
     let least = size.max_element() * 1000.0 / LARGEST;
     let scale = wanted(options).unwrap_or_else(|| round_scales().find(fits).unwrap_or(least)).max(least);
     let (paper, layout) = sheet(scale);
-    let dots = metres_per_pixel.filter(|m| *m > 0.0).map_or(PRINT, |metres| scale / 1000.0 / metres);
-    compose(extent, scale, paper, layout, dots, options)
+    let dots = pixel.filter(|m| *m > 0.0).map_or(PRINT, |metres| scale / 1000.0 / metres);
+    compose(extent, Frame::new(scale, options.rotation), paper, layout, legend, dots)
 }
 
 /// A sheet of given size, with the roundest scale at which the plan fits into its window.
-fn fixed(extent: Bounds, size: DVec2, paper: DVec2, options: &PlanOptions) -> Sheet {
-    let layout = match () {
-        () if paper.min_element() < BARE => Layout::Bare,
-        () if !options.legend => Layout::Strip,
-        () if size.x > 2.2 * size.y && paper.x > 2.0 * COLUMN + 4.0 * MARGIN => Layout::Foot,
-        () if paper.x > 2.0 * COLUMN + 4.0 * MARGIN => Layout::Side,
-        () => Layout::Strip,
+fn fixed(extent: Bounds, size: DVec2, paper: DVec2, legend: f64, options: &PlanOptions) -> Sheet {
+    let roomy = paper.x > 2.0 * COLUMN + 4.0 * MARGIN && paper.y > LEAST_FOOT + 4.0 * MARGIN;
+    let foot = foot_height(paper.x, legend).min(paper.y * 0.4);
+    let candidates = match () {
+        () if paper.min_element() < BARE => [Layout::Bare, Layout::Bare],
+        () if legend == 0.0 || !roomy => [Layout::Below(STRIP), Layout::Below(STRIP)],
+        () => [Layout::Side(1.0), Layout::Below(foot)],
     };
-    let room = (window(paper, layout).size() - 2.0 * layout.air()).max(DVec2::ONE);
-    let exact = (size * 1000.0 / room).max_element();
+    // The layout that lets the plan be larger.
+    let exact = |layout: &Layout| {
+        let air = if *layout == Layout::Bare { 0.5 } else { AIR };
+        (size * 1000.0 / (window(paper, *layout).size() - 2.0 * air).max(DVec2::ONE)).max_element()
+    };
+    let [first, second] = candidates;
+    let layout = if exact(&second) < exact(&first) { second } else { first };
+    let (exact, legend) = (exact(&layout), if layout == Layout::Below(STRIP) { 0.0 } else { legend });
     let scale = wanted(options).unwrap_or_else(|| round_scales().find(|s| *s >= exact).unwrap_or(exact));
-    compose(extent, scale, paper, layout, SCREEN, options)
+    compose(extent, Frame::new(scale, options.rotation), paper, layout, legend, SCREEN)
 }
 
-fn compose(extent: Bounds, scale: f64, paper: DVec2, layout: Layout, dots: f64, options: &PlanOptions) -> Sheet {
+fn compose(extent: Bounds, frame: Frame, paper: DVec2, layout: Layout, legend: f64, dots: f64) -> Sheet {
     let window = window(paper, layout);
-    let frame = Frame::new(scale, options.rotation, extent.centre(), window.centre());
-    Sheet { size: paper, window, panel: panel(paper, window, layout), frame, dots }
+    let frame = frame.centred(extent.centre(), window.centre());
+    Sheet { size: paper, window, panel: panel(paper, window, layout, legend), frame, dots }
 }
 
 fn wanted(options: &PlanOptions) -> Option<f64> {
@@ -162,63 +180,75 @@ fn wanted(options: &PlanOptions) -> Option<f64> {
 /// How plan and panel share the sheet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Layout {
-    Side,
-    Foot,
-    Strip,
+    /// So many columns beside the plan.
+    Side(f64),
+    /// A panel of some height below it.
+    Below(f64),
+    /// Only the plan.
     Bare,
 }
 
-impl Layout {
-    fn air(self) -> f64 {
-        if self == Layout::Bare { 0.5 } else { AIR }
+/// The paper for a plan that takes `plan` millimetres, and how it is shared: whichever wastes least paper.
+fn around(plan: DVec2, legend: f64) -> (DVec2, Layout) {
+    let room = plan + 2.0 * (MARGIN + AIR);
+    if legend == 0.0 {
+        return ((room + DVec2::new(0.0, STRIP)).max(DVec2::new(LEAST_STRIP, 0.0)), Layout::Below(STRIP));
     }
+    let side = |columns: f64| {
+        let height = (legend + TITLE_BLOCK) / columns + 2.0 * (MARGIN + GUTTER) + SLACK * (columns - 1.0);
+        let paper = room + DVec2::new(columns * (COLUMN + GUTTER) + GUTTER, 0.0);
+        (paper.max(DVec2::new(0.0, height.clamp(LEAST_SIDE, TALLEST_SIDE))), Layout::Side(columns))
+    };
+    let below = |columns: f64| {
+        let width = room.x.max(columns * (COLUMN + GUTTER) + 2.0 * MARGIN + GUTTER);
+        let height = foot_height(width, legend);
+        (DVec2::new(width, room.y + height), Layout::Below(height))
+    };
+    let candidates = [side(1.0), side(2.0), side(3.0), below(2.0), below(3.0), below(4.0), below(5.0)];
+    candidates.into_iter().min_by(|a, b| waste(a.0).total_cmp(&waste(b.0))).unwrap_or((room, Layout::Bare))
 }
 
-/// The paper for a plan that takes `plan` millimetres, and how it is shared.
-fn around(plan: DVec2, options: &PlanOptions) -> (DVec2, Layout) {
-    let edge = DVec2::splat(2.0 * (MARGIN + AIR));
-    match () {
-        () if !options.legend => {
-            ((plan + edge + DVec2::new(0.0, STRIP)).max(DVec2::new(LEAST_FOOT, 0.0)), Layout::Strip)
-        }
-        () if plan.x > 2.2 * plan.y && plan.x > 2.5 * COLUMN => {
-            ((plan + edge + DVec2::new(0.0, FOOT)).max(DVec2::new(LEAST_FOOT, 0.0)), Layout::Foot)
-        }
-        () => {
-            let beside = plan + edge + DVec2::new(COLUMN + 2.0 * GUTTER, 0.0);
-            (beside.max(DVec2::new(0.0, LEAST_SIDE)), Layout::Side)
-        }
-    }
+/// Area of the paper, more where it is far from the shape of common sheets.
+fn waste(paper: DVec2) -> f64 {
+    paper.x * paper.y * (1.0 + 0.3 * libm::fabs(libm::log(paper.x / paper.y / 1.414)))
+}
+
+/// Height of a panel below a plan on paper of some width: the first column is the title's.
+fn foot_height(width: f64, legend: f64) -> f64 {
+    let columns = ((width - 2.0 * MARGIN - GUTTER) / (COLUMN + GUTTER)).floor() - 1.0;
+    (legend / columns.max(1.0) + SLACK + 2.0 * GUTTER).clamp(LEAST_FOOT, TALLEST_SIDE)
 }
 
 /// The plan's window on a paper.
 fn window(paper: DVec2, layout: Layout) -> Bounds {
     let taken = match layout {
         Layout::Bare => return Bounds { min: DVec2::ZERO, max: paper },
-        Layout::Side => DVec2::new(COLUMN + 2.0 * GUTTER, 0.0),
-        Layout::Foot => DVec2::new(0.0, FOOT),
-        Layout::Strip => DVec2::new(0.0, STRIP),
+        Layout::Side(columns) => DVec2::new(columns * (COLUMN + GUTTER) + GUTTER, 0.0),
+        Layout::Below(height) => DVec2::new(0.0, height),
     };
     Bounds { min: DVec2::splat(MARGIN), max: paper - MARGIN - taken }
 }
 
-fn panel(paper: DVec2, window: Bounds, layout: Layout) -> Option<Panel> {
+fn panel(paper: DVec2, window: Bounds, layout: Layout, legend: f64) -> Option<Panel> {
     let end = paper - MARGIN - GUTTER;
     let below = Bounds { min: DVec2::new(MARGIN + GUTTER, window.max.y + GUTTER), max: end };
     match layout {
         Layout::Bare => None,
-        Layout::Side => {
+        Layout::Side(_) => {
             Some(Panel::Side(Bounds { min: DVec2::new(window.max.x + GUTTER, MARGIN + GUTTER), max: end }))
         }
-        Layout::Foot => Some(Panel::Foot(below)),
-        Layout::Strip => Some(Panel::Strip(below)),
+        Layout::Below(_) if legend > 0.0 => Some(Panel::Foot(below)),
+        Layout::Below(_) => Some(Panel::Strip(below)),
     }
 }
 
 /// The scales architects use, large plans first: 1:20 to 1:500,000.
 fn round_scales() -> impl Iterator<Item = f64> {
     let decades = [10.0, 100.0, 1_000.0, 10_000.0, 100_000.0];
-    decades.into_iter().flat_map(|d| [2.0, 2.5, 5.0, 7.5, 10.0].map(|s| s * d)).filter(|s| *s != 75.0)
+    let steps = [2.0, 2.5, 5.0, 7.5, 10.0, 12.5, 15.0];
+    // Between round numbers only where plans are large: nobody owns a 1:125 ruler.
+    let common = |scale: &f64| ![75.0, 125.0, 150.0].contains(scale);
+    decades.into_iter().flat_map(move |d| steps.map(|s| s * d)).filter(common)
 }
 
 /// Width and height of the turned extent's bounding box.

@@ -41,7 +41,9 @@ impl Page<'_> {
         self.write(format_args!(" font-family=\"{FONTS}\" font-weight=\"300\">\n"));
         self.title(&drawing.title);
         let scale = decimal(drawing.scale);
-        self.write(format_args!("\n<desc>Planting plan, scale 1:{scale}; one unit is one millimetre of paper.</desc>\n"));
+        self.write(format_args!(
+            "\n<desc>Planting plan, scale 1:{scale}; one unit is one millimetre of paper.</desc>\n"
+        ));
     }
 
     fn definitions(&mut self, drawing: &Drawing) {

@@ -9,13 +9,13 @@ use std::f64::consts::TAU;
 impl Pencil {
     /// A softly lobed crown.
     pub fn broadleaf(&mut self) -> Vec<Shape> {
-        let lobes = if self.is_full() { 11 + self.random.below(4) as usize } else { 8 };
-        let outline = self.scalloped(lobes, 0.075);
+        let lobes = self.teeth(2.8, 8, 56) + self.random.below(3) as usize;
+        let outline = self.scalloped(lobes, 0.62 / lobes as f64);
         let mut shapes = vec![Shape::filled(outline.clone(), self.wash())];
-        shapes.push(self.crescent(0.93, if self.is_full() { 0.2 } else { 0.24 }));
+        shapes.extend(self.crescent(0.93, if self.is_full() { 0.2 } else { 0.24 }));
         if self.is_full() {
-            let count = (self.radius * 3.4).clamp(7.0, 34.0) as usize;
-            shapes.extend([self.gleam(0.26), self.leaves(count, (self.radius * 0.13).clamp(0.24, 0.6))]);
+            shapes.extend(self.gleam(0.26));
+            shapes.push(self.leaves());
         }
         shapes.push(Shape::drawn(outline, self.line(), self.width()));
         if self.radius > 0.9 {
@@ -26,10 +26,11 @@ impl Pencil {
 
     /// A thin, open crown whose branches show.
     pub fn feathery(&mut self) -> Vec<Shape> {
-        let outline = self.scalloped(if self.is_full() { 22 } else { 12 }, 0.05);
-        let mut shapes = vec![Shape::filled(outline.clone(), self.wash().faded(0.85)), self.crescent(0.93, 0.15)];
+        let outline = self.scalloped(self.teeth(1.1, 12, 60), 0.05);
+        let mut shapes = vec![Shape::filled(outline.clone(), self.wash().faded(0.85))];
+        shapes.extend(self.crescent(0.93, 0.15));
         if self.is_full() {
-            shapes.push(self.gleam(0.22));
+            shapes.extend(self.gleam(0.22));
         }
         let branches = self.branches(if self.is_full() { 8 } else { 5 });
         shapes.push(Shape::drawn(branches, self.line().faded(0.7), self.width() * 0.75));
@@ -56,19 +57,22 @@ impl Pencil {
 
     /// A star of needles.
     pub fn conifer(&mut self) -> Vec<Shape> {
-        let points = if self.is_full() { 17 } else { 9 };
+        let points = self.teeth(1.6, 9, 40) as u32;
         let start = self.random.uniform(0.0, TAU);
         let (mut ring, mut needles) = (Vec::new(), Path::default());
         for i in 0..points {
             let angle = start + TAU * (f64::from(i) + self.random.uniform(-0.15, 0.15)) / f64::from(points);
             let tip = direction(angle) * self.radius * self.random.uniform(0.94, 1.04);
-            ring.extend([tip, direction(angle + TAU * 0.5 / f64::from(points)) * self.radius * 0.74]);
+            ring.extend([tip, direction(angle + TAU * 0.5 / f64::from(points)) * self.radius * 0.78]);
             needles.add_line(&[tip * 0.12, tip * 0.9], false);
         }
         let outline = Path::ring(&ring);
-        let mut shapes = vec![Shape::filled(outline.clone(), self.wash()), self.crescent(0.8, 0.26)];
+        let mut shapes = vec![Shape::filled(outline.clone(), self.wash())];
+        shapes.extend(self.crescent(0.84, 0.26));
         if self.is_full() {
-            shapes.push(self.gleam(0.16));
+            shapes.extend(self.gleam(0.16));
+            let inner = ring.iter().map(|p| *p * 0.56).collect::<Vec<_>>();
+            shapes.push(Shape::drawn(Path::ring(&inner), self.line().faded(0.4), self.width() * 0.7));
         }
         shapes.push(Shape::drawn(needles, self.line().faded(0.6), self.width() * 0.7));
         shapes.push(Shape::drawn(outline, self.line(), self.width() * 0.9));
@@ -99,9 +103,13 @@ impl Pencil {
 
     /// A small ring.
     pub fn shrub(&mut self) -> Vec<Shape> {
-        let outline = self.scalloped(if self.is_full() { 9 } else { 6 }, 0.1);
-        let mut shapes = vec![Shape::filled(outline.clone(), self.wash()), self.crescent(0.9, 0.2)];
-        if self.radius > 0.7 {
+        let outline = self.scalloped(self.teeth(2.2, 6, 30), 0.08);
+        let mut shapes = vec![Shape::filled(outline.clone(), self.wash())];
+        shapes.extend(self.crescent(0.9, 0.2));
+        if self.is_full() {
+            shapes.extend(self.gleam(0.2));
+            shapes.push(self.leaves());
+        } else if self.radius > 0.7 {
             let ring = Path::circle(DVec2::ZERO, self.radius * 0.42);
             shapes.push(Shape::drawn(ring, self.line().faded(0.5), self.width() * 0.8));
         }

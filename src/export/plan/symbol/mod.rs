@@ -143,6 +143,11 @@ impl Pencil {
         self.level == Level::Full
     }
 
+    /// How many scallops or tips of `size` mm go round the rim.
+    fn teeth(&self, size: f64, least: usize, most: usize) -> usize {
+        ((std::f64::consts::TAU * self.radius / size) as usize).clamp(least, most)
+    }
+
     /// The colour of outlines and branches.
     fn line(&self) -> Ink {
         Ink { alpha: 255, ..self.ink.darker(0.52) }

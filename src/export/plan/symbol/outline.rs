@@ -34,25 +34,44 @@ impl Pencil {
         path
     }
 
-    /// The crescent of shade on the lee side of a round crown of `reach` times the radius.
-    pub fn crescent(&self, reach: f64, strength: f64) -> Shape {
-        let (radius, spread) = (self.radius * reach, 1.72);
-        let along = direction(LEE);
-        let handle = |side: f64| along * radius * 0.56 + along.perp() * side * radius * 0.72;
+    /// The crescent of shade on the lee side of a round crown of `reach` times the radius; large ones fade softly.
+    pub fn crescent(&self, reach: f64, strength: f64) -> Vec<Shape> {
+        let (steps, strength) = self.soft(strength);
+        let ink = self.ink.darker(0.6).faded(strength);
+        let moon = |share: f64| self.moon(self.radius * reach * (1.05 - 0.13 * share), 0.3 + 0.52 * share);
+        steps.into_iter().map(|share| Shape::filled(moon(share), ink)).collect()
+    }
+
+    /// Steps from 0 to 1 for a soft edge, more for larger crowns, and the opacity of each that adds up to `strength`.
+    fn soft(&self, strength: f64) -> (Vec<f64>, f64) {
+        let count = (self.radius * 0.9).clamp(1.0, 9.0).floor();
+        let steps = (0..count as usize).map(|i| (i as f64 + 0.5) / count).collect();
+        (steps, 1.0 - libm::pow(1.0 - strength, 1.4 / (count + 0.4)))
+    }
+
+    /// A moon open to the light: `depth` says how far its inner rim is bent out.
+    fn moon(&self, radius: f64, depth: f64) -> Path {
+        let (along, spread) = (direction(LEE), 1.72);
+        let handle = |side: f64| along * radius * depth + along.perp() * side * radius * 0.72;
         let mut path = Path::default();
         path.add_arc(DVec2::ZERO, radius, LEE - spread, LEE + spread);
         path.steps.push(Step::Curve(handle(1.0), handle(-1.0), radius * direction(LEE - spread)));
         path.steps.push(Step::Close);
-        Shape::filled(path, self.ink.darker(0.6).faded(strength))
+        path
     }
 
-    /// The light on the windward side.
-    pub fn gleam(&mut self, strength: f64) -> Shape {
-        let centre = direction(LEE) * self.radius * -0.3;
-        let points: Vec<DVec2> = (0..9)
-            .map(|i| centre + direction(TAU * f64::from(i) / 9.0) * self.radius * self.random.uniform(0.4, 0.58))
-            .collect();
-        Shape::filled(Path::smooth_ring(&points), LIGHT.faded(strength))
+    /// The light on the windward side; on large crowns it fades outwards.
+    pub fn gleam(&mut self, strength: f64) -> Vec<Shape> {
+        let (steps, strength) = self.soft(strength);
+        let centre = direction(LEE) * self.radius * -0.32;
+        let reaches: Vec<f64> = (0..11).map(|_| self.radius * self.random.uniform(0.5, 0.66)).collect();
+        let blob = |share: f64| {
+            let rim = reaches.iter().enumerate();
+            let points =
+                rim.map(|(i, reach)| centre + direction(TAU * i as f64 / 11.0) * *reach * (1.15 - share * 0.8));
+            Shape::filled(Path::smooth_ring(&points.collect::<Vec<_>>()), LIGHT.faded(strength))
+        };
+        steps.into_iter().map(blob).collect()
     }
 
     /// The point where the trunk stands.
@@ -60,8 +79,10 @@ impl Pencil {
         Shape::filled(Path::circle(DVec2::ZERO, (self.radius * 0.07).clamp(0.1, 0.32)), self.line())
     }
 
-    /// Short arcs like clumps of leaves, thicker in the shade.
-    pub fn leaves(&mut self, count: usize, size: f64) -> Shape {
+    /// Short arcs like clumps of leaves, thicker in the shade; as many as the crown's area on paper holds.
+    pub fn leaves(&mut self) -> Shape {
+        let count = (self.radius * self.radius * 2.4).clamp(8.0, 900.0) as usize;
+        let size = (self.radius * 0.1).clamp(0.22, 1.0);
         let mut path = Path::default();
         let lee = direction(LEE);
         let mut tries = count * 4;

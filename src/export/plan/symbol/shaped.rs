@@ -12,10 +12,11 @@ impl Pencil {
     /// A tight, even outline.
     pub fn clipped(&mut self) -> Vec<Shape> {
         let outline = Path::circle(DVec2::ZERO, self.radius);
-        let mut shapes = vec![Shape::filled(outline.clone(), self.wash()), self.crescent(1.0, 0.24)];
+        let mut shapes = vec![Shape::filled(outline.clone(), self.wash())];
+        shapes.extend(self.crescent(1.0, 0.24));
         if self.is_full() {
-            let count = (self.radius * 3.0).clamp(6.0, 24.0) as usize;
-            shapes.extend([self.gleam(0.22), self.leaves(count, (self.radius * 0.1).clamp(0.2, 0.4))]);
+            shapes.extend(self.gleam(0.22));
+            shapes.push(self.leaves());
         }
         if self.radius > 0.9 {
             let ring = Path::circle(DVec2::ZERO, self.radius * 0.8);

@@ -40,12 +40,12 @@ pub fn scrolls(ground: &Ground) -> Vec<Item> {
 /// The band of grass and flowers along the edge.
 fn border(ground: &Ground, from: f64, width: f64) -> Vec<Item> {
     let band = Path::band(&inset(ground.area, from), &inset(ground.area, from + width));
-    let mut dots = Path::default();
+    let (mut dots, size) = (Path::default(), (width * 0.36).min(1.1));
     for (a, b) in inset(ground.area, from + width / 2.0).edges() {
-        let count = (a.distance(b) / 0.9).floor().max(1.0);
+        let count = (a.distance(b) / (size * 1.8)).floor().max(1.0);
         (0..count as usize).for_each(|i| dots.add_dot(a.lerp(b, (i as f64 + 0.5) / count)));
     }
-    let flowers = Shape::drawn(dots.coarse(), ground.line.mixed(LIGHT, 0.15), (width * 0.4).min(0.5));
+    let flowers = Shape::drawn(dots.coarse(), ground.line.mixed(LIGHT, 0.15), size);
     vec![Shape::filled(band, BORDER).outlined(ground.line, 0.1).into(), flowers.into()]
 }
 
@@ -120,6 +120,9 @@ fn arabesque(bed: &Bed, metre: f64) -> Scrolls {
             scrolls.append(&strip, |p| bed.point(DVec2::new(p.x * x, (p.y + lift) * y)));
         }
     }
+    let mut rosette = Scrolls::default();
+    rosette.add_rosette(height * 0.26);
+    scrolls.append(&rosette, |p| bed.point(p));
     scrolls
 }
 
@@ -133,11 +136,25 @@ fn strip(length: f64, height: f64, flipped: bool) -> Scrolls {
         let centre = DVec2::new((index as f64 + 0.5) * pitch, height / 2.0);
         let side = if (index % 2 == 0) == flipped { -1.0 } else { 1.0 };
         scrolls.add_volute(centre, radius, side);
-        scrolls.add_sprig(centre + DVec2::new(pitch / 2.0, side * radius), -side, radius * 0.5);
         if index + 1 < count as usize {
-            scrolls.add_stem(centre, pitch, radius, side);
+            scrolls.add_stem(centre, pitch, radius, side, 0.0);
+        }
+        // Leaves in the corners: between volutes they look at the stem, at the end of the strip away from the volute.
+        for edge in [-1.0, 1.0] {
+            let corner = DVec2::new(1.0, edge).normalize();
+            match index + 1 < count as usize {
+                true => scrolls.add_sprig(
+                    centre + DVec2::new(pitch / 2.0, edge * radius),
+                    DVec2::NEG_Y * edge,
+                    radius * 0.54,
+                ),
+                false => scrolls.add_sprig(centre + corner * radius * 1.05, corner, radius * 0.4),
+            }
         }
     }
+    let first = DVec2::new(-0.5 * pitch, height / 2.0);
+    scrolls.add_stem(first, pitch, radius, if flipped { 1.0 } else { -1.0 }, 0.5);
+    scrolls.add_sprig(DVec2::new(0.0, height * 0.62), DVec2::Y, radius * 0.62);
     scrolls
 }
 
@@ -147,7 +164,7 @@ impl Scrolls {
         const TURNS: f64 = 1.9;
         let spiral = |t: f64| {
             let angle = side * (TAU * TURNS * t - FRAC_PI_2);
-            centre + direction(angle) * radius * (1.0 - 0.84 * libm::pow(t, 0.85))
+            centre + direction(angle) * radius * (1.0 - 0.85 * libm::pow(t, 1.08))
         };
         let points: Vec<DVec2> = (0..=36).map(|i| spiral(f64::from(i) / 36.0)).collect();
         self.bold.add_smooth(&points[..=20], false);
@@ -158,22 +175,32 @@ impl Scrolls {
             let (foot, ahead) = (spiral(at), spiral(at + 0.02));
             let forward = (ahead - foot).normalize_or(DVec2::X);
             let inward = (centre - foot).normalize_or(DVec2::Y);
-            self.add_leaf(foot, forward * 0.9 + inward * 0.6, radius * 0.36 * (1.0 - at));
+            self.add_leaf(foot, forward * 0.8 + inward * 0.8, radius * 0.4 * (1.0 - at));
         }
     }
 
-    /// The stem's bend from one volute's circle to the next.
-    fn add_stem(&mut self, centre: DVec2, pitch: f64, radius: f64, side: f64) {
+    /// The stem's bend from one volute's crown to the next, from a share of it on.
+    fn add_stem(&mut self, centre: DVec2, pitch: f64, radius: f64, side: f64, from: f64) {
         let wave = |t: f64| centre + DVec2::new(t * pitch, -side * radius * libm::cos(PI * t));
-        let points: Vec<DVec2> = (0..=12).map(|i| wave(f64::from(i) / 12.0)).collect();
+        let points: Vec<DVec2> = (0..=12).map(|i| wave(from + (1.0 - from) * f64::from(i) / 12.0)).collect();
         self.bold.add_smooth(&points, false);
     }
 
     /// Five leaves in the corner between two volutes.
-    fn add_sprig(&mut self, foot: DVec2, side: f64, size: f64) {
+    fn add_sprig(&mut self, foot: DVec2, towards: DVec2, size: f64) {
         for turn in [-1.3, -0.65, 0.0, 0.65, 1.3] {
-            self.add_leaf(foot, direction(turn + side * FRAC_PI_2), size * (1.0 - 0.3 * f64::abs(turn)));
+            self.add_leaf(foot, towards.rotate(direction(turn)), size * (1.0 - 0.3 * f64::abs(turn)));
         }
+    }
+
+    /// Eight petals in a ring at the middle of the bed.
+    fn add_rosette(&mut self, radius: f64) {
+        for i in 0..8 {
+            let towards = direction(TAU * f64::from(i) / 8.0);
+            self.add_leaf(towards * radius * 0.22, towards, radius * 0.62);
+        }
+        self.fine.add_circle(DVec2::ZERO, radius);
+        self.eyes.add_dot(DVec2::ZERO);
     }
 
     /// A pointed leaf from its foot in a direction.

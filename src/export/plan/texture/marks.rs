@@ -57,7 +57,7 @@ pub fn foliage(ground: &Ground) -> Vec<Item> {
 pub fn flowers(ground: &Ground) -> Vec<Item> {
     let mut leaves = Path::default();
     let mut petals: [Path; 4] = Default::default();
-    for (point, mut random) in field::strewn(ground.area, ground.window, 0.72, 0.2, ground.seed) {
+    for (point, mut random) in field::strewn(ground.area, ground.window, 0.85, 0.2, ground.seed) {
         match random.choose(&[5.0, 3.0, 1.6, 1.4, 1.0]) {
             Some(kind @ 1..) => petals[kind - 1].add_dot(point),
             _ => leaves.add_arc(point, 0.14, point.x, point.x + 2.5),
