@@ -71,6 +71,12 @@ pub fn plant(id: &str, kind: &str, position: DVec2, seed: u64) -> Plant {
     }
 }
 
+/// A cover of one of the catalogue's materials.
+pub fn cover(word: &str, area: Area) -> Cover {
+    let origin = Origin { lot: "garden".into(), rule: "Cover".into(), id: format!("cover {word}").into() };
+    Cover { origin, material: material(word), area, elevation: 0.0 }
+}
+
 impl Garden {
     fn origin(&self, id: String) -> Origin {
         Origin { lot: "garden".into(), rule: "Cover".into(), id: id.into() }
@@ -78,7 +84,7 @@ impl Garden {
 
     fn cover(&mut self, word: &str, area: Area) {
         let origin = self.origin(format!("cover {}", self.scene.covers.len()));
-        self.scene.covers.push(Cover { origin, material: material(word), area, elevation: 0.0 });
+        self.scene.covers.push(Cover { origin, ..cover(word, area) });
     }
 
     fn solid(&mut self, word: &str, footprint: Area, height: f64) {

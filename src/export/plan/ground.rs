@@ -1,7 +1,7 @@
 //! Ground covers: fill, marks and outline of each surface, in the scene's order so that later ones hide earlier ones.
 
 use crate::export::plan::drawing::{Group, Item, Layer, Shape};
-use crate::export::plan::ink::Ink;
+use crate::export::plan::ink::{Ink, UMBER};
 use crate::export::plan::legend::area_words;
 use crate::export::plan::path::Path;
 use crate::export::plan::sheet::Sheet;
@@ -15,14 +15,15 @@ pub fn covers(covers: &[Cover], sheet: &Sheet) -> Layer {
     Layer { items, ..Layer::new("covers", "Ground covers") }
 }
 
-/// The regions' outlines: thin broken lines are for surveyors; a hairline does for us.
+/// The regions' outlines as hairlines.
 pub fn lots(lots: &[LotOutline], sheet: &Sheet) -> Layer {
     let outline = |lot: &LotOutline| {
-        let path = Path::area(&sheet.frame.area(&lot.area));
-        let shape = Shape::drawn(path, crate::export::plan::ink::UMBER.faded(0.5), 0.08);
-        Group { class: format!("lot {}", lot.kind), items: vec![shape.into()], ..Group::default() }.into()
+        let shape = Shape::drawn(Path::area(&sheet.shown(&lot.area)?), UMBER.faded(0.5), 0.08);
+        let title = if lot.name.is_empty() { &lot.id } else { &lot.name };
+        let (class, title) = (format!("lot {}", lot.kind), Some(title.to_string()));
+        Some(Group { class, title, clip: None, items: vec![shape.into()] }.into())
     };
-    Layer { items: lots.iter().map(outline).collect(), ..Layer::new("lots", "Lots") }
+    Layer { items: lots.iter().filter_map(outline).collect(), ..Layer::new("lots", "Lots") }
 }
 
 /// All lines of a scene.
@@ -49,10 +50,7 @@ pub fn surface(area: &Area, material: &Material, metre: f64, sheet: &Sheet, id: 
 }
 
 fn draw(cover: &Cover, sheet: &Sheet) -> Option<Item> {
-    let area = sheet.frame.area(&cover.area);
-    if area.is_empty() || !area.bounds().touches(sheet.window) {
-        return None;
-    }
+    let area = sheet.shown(&cover.area)?;
     let items = surface(&area, &cover.material, sheet.frame.length(1.0), sheet, &cover.origin.id);
     let title = Some(format!("{}, {}", cover.material.label, area_words(cover.area.area())));
     Some(Group { class: format!("cover {}", cover.material.name), title, clip: None, items }.into())

@@ -210,7 +210,7 @@ fn sample(sample: &Sample, at: DVec2, cabinet: &mut Cabinet, sheet: &Sheet) -> V
             match sample {
                 Sample::Solid(_) => {
                     let ground = Ground::new(&area, sheet.window, material, metre, &id);
-                    solids::body(&ground, material.texture, None, &sheet)
+                    solids::body(&ground, material, None, &sheet)
                 }
                 _ => {
                     let mut items = ground::surface(&area, material, metre, &sheet, &id);

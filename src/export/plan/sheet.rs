@@ -5,7 +5,7 @@
 
 use crate::export::plan::path::direction;
 use crate::export::plan::{PlanOptions, PlanSize};
-use crate::geometry::{Area, Bounds};
+use crate::geometry::{Area, Bounds, Polygon, intersection};
 use glam::{DAffine2, DMat2, DVec2};
 
 /// From the paper's edge to the neatline.
@@ -37,6 +37,8 @@ const SCREEN: f64 = 110.0 / 25.4;
 const PRINT: f64 = 200.0 / 25.4;
 /// Sheets narrower than this have no room for anything but the plan.
 const BARE: f64 = 110.0;
+/// How far outside of the window regions are cut off.
+const BEYOND: f64 = 400.0;
 /// The largest sheet, millimetres a side: larger than any plotter.
 const LARGEST: f64 = 20_000.0;
 
@@ -116,6 +118,23 @@ impl Frame {
 }
 
 impl Sheet {
+    /// A region of the plan on the paper, or nothing where the window shows none of it.
+    ///
+    /// What reaches far out of the window is cut off well outside of it: no marks are strewn where nobody looks, and
+    /// no coordinate is larger than a rasteriser can bear.
+    pub fn shown(&self, plan: &Area) -> Option<Area> {
+        let area = self.frame.area(plan);
+        let (bounds, reach) = (area.bounds(), self.window.grown(BEYOND));
+        if area.is_empty() || !bounds.touches(self.window) {
+            return None;
+        }
+        if reach.contains(bounds.min) && reach.contains(bounds.max) {
+            return Some(area);
+        }
+        let cut = Polygon::rectangle(reach.min, reach.max).map(|frame| intersection(&area, &frame.into()));
+        cut.filter(|area| !area.is_empty())
+    }
+
     /// Chooses scale, sheet and places for a plan of the given extent (metres, before turning).
     ///
     /// `legend` is the legend's height in one column; 0 for none.

@@ -11,7 +11,7 @@ use crate::export::plan::sheet::Sheet;
 use crate::export::plan::symbol::LEE;
 use crate::export::plan::texture::{self, Ground};
 use crate::geometry::{Area, Mesh, Polygon, setback};
-use crate::scene::{Solid, Texture};
+use crate::scene::{Material, Solid};
 use crate::text::number;
 use glam::{DVec2, DVec3};
 
@@ -32,10 +32,9 @@ pub fn layer(solids: &[Solid], sheet: &Sheet) -> Layer {
 /// The shadows of all solids: each footprint swept along the light.
 pub fn shadows(solids: &[Solid], sheet: &Sheet) -> Vec<Item> {
     let cast = |solid: &Solid| {
-        let area = sheet.frame.area(&solid.footprint);
+        let area = sheet.shown(&solid.footprint)?;
         let reach = sheet.frame.length(SUN * solid.height).clamp(0.0, LONGEST);
-        let visible = reach > 0.05 && area.bounds().grown(LONGEST).touches(sheet.window);
-        visible.then(|| Shape::filled(swept(&area, direction(LEE) * reach), SHADOW).into())
+        (reach > 0.05).then(|| Shape::filled(swept(&area, direction(LEE) * reach), SHADOW).into())
     };
     solids.iter().filter_map(cast).collect()
 }
@@ -53,26 +52,28 @@ fn swept(area: &Area, by: DVec2) -> Path {
 }
 
 fn draw(solid: &Solid, sheet: &Sheet) -> Option<Item> {
-    let area = sheet.frame.area(&solid.footprint);
-    if area.is_empty() || !area.bounds().touches(sheet.window) {
-        return None;
-    }
+    let area = sheet.shown(&solid.footprint)?;
     let ground = Ground::new(&area, sheet.window, &solid.material, sheet.frame.length(1.0), &solid.origin.id);
-    let items = body(&ground, solid.material.texture, solid.mesh.as_deref(), sheet);
+    let items = body(&ground, &solid.material, solid.mesh.as_deref(), sheet);
     let title = Some(format!("{}, height {} m", solid.material.label, number(solid.height, 1)));
     Some(Group { class: format!("solid {}", solid.material.name), title, clip: None, items }.into())
 }
 
 /// Fill, inside and edges of a solid on paper; the mesh, where there is one, in plan metres.
-pub fn body(ground: &Ground, texture: Texture, mesh: Option<&Mesh>, sheet: &Sheet) -> Vec<Item> {
+pub fn body(ground: &Ground, material: &Material, mesh: Option<&Mesh>, sheet: &Sheet) -> Vec<Item> {
     let mut items = vec![Shape::filled(Path::area(ground.area), ground.fill).into()];
-    match (texture, mesh) {
-        (Texture::Hatch, Some(mesh)) => items.extend(faces(mesh, ground.line, sheet)),
-        (Texture::Hatch, None) => items.extend(roofs(ground)),
-        _ => items.extend(texture::draw(texture, ground)),
+    match mesh {
+        Some(mesh) if has_roof(material) => items.extend(faces(mesh, ground.line, sheet)),
+        None if has_roof(material) => items.extend(roofs(ground)),
+        _ => items.extend(texture::draw(material.texture, ground)),
     }
     items.extend(edges(ground.area, ground.line.darker(0.35)));
     items
+}
+
+/// Whether it is a building.
+fn has_roof(material: &Material) -> bool {
+    ["roof", "building"].iter().any(|word| material.name.contains(word))
 }
 
 /// Thin lines towards the light, heavy ones away from it.
