@@ -240,7 +240,7 @@ impl Garden {
 
     fn furniture(&mut self) {
         for side in [-1.0, 1.0] {
-            for i in 0..6 {
+            for i in 0..5 {
                 self.object("bench", "stone", -140.0 + 28.0 * f64::from(i), side * 13.0, 0.0);
                 self.object("statue", "figure", -126.0 + 28.0 * f64::from(i), side * 12.0, 0.0);
             }

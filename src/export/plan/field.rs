@@ -98,3 +98,39 @@ fn distance(point: DVec2, a: DVec2, b: DVec2) -> f64 {
     let share = ((point - a).dot(edge) / edge.length_squared()).clamp(0.0, 1.0);
     point.distance(a + edge * share)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Polygon;
+
+    /// A ring: a square of ten with a hole of four.
+    fn frame() -> Area {
+        let square = |low: f64, high: f64| [(low, low), (high, low), (high, high), (low, high)].map(DVec2::from);
+        Polygon::new(&square(0.0, 10.0), &[square(3.0, 7.0).to_vec()]).map(Area::from).unwrap_or_default()
+    }
+
+    #[test]
+    fn marks_keep_their_distance_from_edges() {
+        let area = frame();
+        let marks = strewn(&area, area.bounds(), 0.5, 0.3, Seed(1));
+        assert!(marks.len() > 150, "{}", marks.len());
+        assert!(marks.iter().all(|(p, _)| area.contains(*p) && area.distance_to_edges(*p) >= 0.3 - 1e-12));
+    }
+
+    #[test]
+    fn a_window_shows_the_same_marks() {
+        let area = frame();
+        let window = Bounds { min: DVec2::new(1.0, 1.0), max: DVec2::new(9.0, 4.0) };
+        let all: Vec<DVec2> = strewn(&area, area.bounds(), 0.5, 0.0, Seed(1)).into_iter().map(|m| m.0).collect();
+        let part = strewn(&area, window, 0.5, 0.0, Seed(1));
+        assert!(!part.is_empty() && part.iter().all(|(p, _)| all.contains(p)));
+    }
+
+    #[test]
+    fn hatching_leaves_holes_free() {
+        let length = |lines: &[[DVec2; 2]]| lines.iter().map(|[a, b]| a.distance(*b)).sum::<f64>();
+        let lines = hatched(&frame(), DVec2::X, 0.1, 0.05);
+        assert!((length(&lines) * 0.1 - frame().area()).abs() < 1e-6, "lines as wide as their spacing fill the region");
+    }
+}

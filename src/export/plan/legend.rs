@@ -13,7 +13,7 @@ use crate::export::plan::sheet::{COLUMN, GUTTER, Sheet};
 use crate::export::plan::solids;
 use crate::export::plan::symbol::Cabinet;
 use crate::export::plan::texture::Ground;
-use crate::geometry::{Area, Bounds, Polygon};
+use crate::geometry::{Area, Bounds, Polygon, intersection};
 use crate::scene::{Material, Object, Plant, PlantSymbol, Scene, Texture};
 use crate::text::{number, thousands};
 use glam::DVec2;
@@ -57,16 +57,34 @@ enum Sample {
     Object(String, Ink),
 }
 
-/// All sections of a scene's legend; empty ones are left out.
-pub fn sections(scene: &Scene) -> Vec<Section> {
+/// All sections of the legend of a part of a scene, metres; empty ones are left out.
+pub fn sections(scene: &Scene, part: Option<Bounds>) -> Vec<Section> {
+    let part = Part(part.and_then(|b| Some((b, Polygon::rectangle(b.min, b.max)?.into()))));
     let section = |title, rows| Section { title, rows, more: 0 };
     let all = [
-        section(PLANTS, plants(&scene.plants)),
-        section("Surfaces", covers(scene)),
-        section("Hedges and buildings", solid_rows(scene)),
-        section("Furniture", objects(&scene.objects)),
+        section(PLANTS, plants(scene.plants.iter().filter(|p| part.holds(p.position)))),
+        section("Surfaces", covers(scene, &part)),
+        section("Hedges and buildings", solid_rows(scene, &part)),
+        section("Furniture", objects(scene.objects.iter().filter(|o| part.holds(o.position)))),
     ];
     all.into_iter().filter(|s| !s.rows.is_empty()).collect()
+}
+
+/// The part of the plan that is shown, as bounds and region; `None` shows all.
+struct Part(Option<(Bounds, Area)>);
+
+impl Part {
+    fn holds(&self, point: DVec2) -> bool {
+        self.0.as_ref().is_none_or(|(bounds, _)| bounds.contains(point))
+    }
+
+    /// What of a region lies in the part.
+    fn of(&self, area: &Area) -> Area {
+        match &self.0 {
+            Some((_, part)) => intersection(area, part),
+            None => area.clone(),
+        }
+    }
 }
 
 /// Height of the whole legend in one column.
@@ -200,29 +218,26 @@ fn sample(sample: &Sample, at: DVec2, cabinet: &mut Cabinet, sheet: &Sheet) -> V
             let size = if category == "bench" { DVec2::new(4.0, 1.4) } else { DVec2::splat(2.6) };
             Piece::new(middle, size, 0.0, *ink).draw(category, &Area::empty())
         }
-        Sample::Cover(material) | Sample::Solid(material) => {
-            let corner = at - DVec2::new(0.0, SWATCH.y / 2.0);
-            let Some(swatch) = Polygon::rectangle(corner, corner + SWATCH) else { return Vec::new() };
-            let (area, id) = (Area::from(swatch), format!("legend {}", material.name));
-            let sheet = Sheet { window: area.bounds(), ..sheet.clone() };
-            // Samples show a bed of ten metres, whatever the plan's scale.
-            let metre = SWATCH.x / 10.0;
-            match sample {
-                Sample::Solid(_) => {
-                    let ground = Ground::new(&area, sheet.window, material, metre, &id);
-                    solids::body(&ground, material, None, &sheet)
-                }
-                _ => {
-                    let mut items = ground::surface(&area, material, metre, &sheet, &id);
-                    items.push(Shape::drawn(Path::area(&area), SEPIA.faded(0.35), 0.08).into());
-                    items
-                }
-            }
-        }
+        Sample::Cover(material) => swatch(at, material, false, sheet),
+        Sample::Solid(material) => swatch(at, material, true, sheet),
     }
 }
 
-fn plants(plants: &[Plant]) -> Vec<Row> {
+/// A piece of a surface or solid whose middle left is at `at`: ten metres of it, whatever the plan's scale.
+fn swatch(at: DVec2, material: &Material, solid: bool, sheet: &Sheet) -> Vec<Item> {
+    let corner = at - DVec2::new(0.0, SWATCH.y / 2.0);
+    let Some(swatch) = Polygon::rectangle(corner, corner + SWATCH) else { return Vec::new() };
+    let (area, id) = (Area::from(swatch), format!("legend {}", material.name));
+    let (sheet, metre) = (Sheet { window: area.bounds(), ..sheet.clone() }, SWATCH.x / 10.0);
+    if solid {
+        return solids::body(&Ground::new(&area, sheet.window, material, metre, &id), material, None, &sheet);
+    }
+    let mut items = ground::surface(&area, material, metre, &sheet, &id);
+    items.push(Shape::drawn(Path::area(&area), SEPIA.faded(0.35), 0.08).into());
+    items
+}
+
+fn plants<'a>(plants: impl Iterator<Item = &'a Plant>) -> Vec<Row> {
     let mut species: BTreeMap<(&str, &str, &str), (usize, &Plant)> = BTreeMap::new();
     for plant in plants {
         let name = if plant.common_name.is_empty() { &plant.category } else { &plant.common_name };
@@ -240,20 +255,26 @@ fn plants(plants: &[Plant]) -> Vec<Row> {
     rows.into_iter().map(row).collect()
 }
 
-fn covers(scene: &Scene) -> Vec<Row> {
+fn covers(scene: &Scene, part: &Part) -> Vec<Row> {
     let mut found: BTreeMap<&str, (f64, &Arc<Material>)> = BTreeMap::new();
     for cover in &scene.covers {
-        found.entry(&cover.material.label).or_insert((0.0, &cover.material)).0 += cover.area.area();
+        let area = part.of(&cover.area).area();
+        if area > 0.0 {
+            found.entry(&cover.material.label).or_insert((0.0, &cover.material)).0 += area;
+        }
     }
     let rows = found.into_iter().map(|(label, (area, material))| (label, area, material, false));
     measured(rows.collect(), Sample::Cover)
 }
 
-fn solid_rows(scene: &Scene) -> Vec<Row> {
+fn solid_rows(scene: &Scene, part: &Part) -> Vec<Row> {
     let mut found: BTreeMap<&str, (f64, &Arc<Material>, bool)> = BTreeMap::new();
     for solid in &scene.solids {
-        let long = is_strip(&solid.material);
-        let amount = if long { strip_length(&solid.footprint) } else { solid.footprint.area() };
+        let (long, footprint) = (is_strip(&solid.material), part.of(&solid.footprint));
+        if footprint.is_empty() {
+            continue;
+        }
+        let amount = if long { strip_length(&footprint) } else { footprint.area() };
         found.entry(&solid.material.label).or_insert((0.0, &solid.material, long)).0 += amount;
     }
     measured(found.into_iter().map(|(label, (amount, m, long))| (label, amount, m, long)).collect(), Sample::Solid)
@@ -272,7 +293,7 @@ fn measured(mut found: Vec<(&str, f64, &Arc<Material>, bool)>, sample: impl Fn(A
     found.into_iter().map(row).collect()
 }
 
-fn objects(objects: &[Object]) -> Vec<Row> {
+fn objects<'a>(objects: impl Iterator<Item = &'a Object>) -> Vec<Row> {
     let mut found: BTreeMap<&str, (usize, &Object)> = BTreeMap::new();
     for object in objects {
         found.entry(&object.label).or_insert((0, object)).0 += 1;
@@ -313,4 +334,43 @@ pub fn columns(panel: Bounds) -> Vec<Bounds> {
         Bounds { min: DVec2::new(x, panel.min.y), max: DVec2::new(x + COLUMN, panel.max.y) }
     };
     (0..count).map(column).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn strip(width: f64) -> Area {
+        Polygon::rectangle(DVec2::ZERO, DVec2::new(30.0, width)).map(Area::from).unwrap_or_default()
+    }
+
+    #[test]
+    fn hedges_are_measured_along() {
+        assert!((strip_length(&strip(0.8)) - 30.0).abs() < 1e-9);
+        assert!((strip_length(&strip(30.0)) - 30.0).abs() < 1e-6, "a square is as long as wide");
+    }
+
+    #[test]
+    fn areas_read_well() {
+        let words = [3.25, 1204.4, 9_999.4, 23_500.0, 1_234_000.0].map(area_words);
+        assert_eq!(words, ["3.3 m²", "1,204 m²", "9,999 m²", "2.35 ha", "123.4 ha"]);
+    }
+
+    #[test]
+    fn what_has_no_room_is_counted() {
+        let row = Row {
+            sample: Sample::Plant(PlantSymbol::Broadleaf, SEPIA),
+            code: String::new(),
+            words: "Oak".into(),
+            latin: String::new(),
+            figure: "1".into(),
+        };
+        let mut sections = vec![Section { title: PLANTS, rows: vec![row; 40], more: 0 }];
+        let column = Bounds { min: DVec2::ZERO, max: DVec2::new(COLUMN, 100.0) };
+        while flow(&sections, &[column]).is_none() {
+            shorten(&mut sections);
+        }
+        assert!(sections[0].more > 0);
+        assert_eq!(sections[0].rows.len() + sections[0].more, 40);
+    }
 }

@@ -94,7 +94,7 @@ impl Default for PlanOptions {
 /// Draws a scene. Cost: linear in what the sheet shows, and in labels times labels.
 pub fn draw(scene: &Scene, options: &PlanOptions) -> Drawing {
     let extent = options.extent.filter(|e| !e.is_empty()).unwrap_or_else(|| extent(scene));
-    let legend = if options.legend { legend::sections(scene) } else { Vec::new() };
+    let legend = if options.legend { legend::sections(scene, options.extent) } else { Vec::new() };
     let sheet = Sheet::new(extent, legend::height(&legend), options);
     let mut cabinet = Cabinet::new(sheet.frame.turn(0.0));
     let mut layers = vec![furniture::paper(&sheet)];

@@ -39,8 +39,6 @@ const PRINT: f64 = 200.0 / 25.4;
 const BARE: f64 = 110.0;
 /// How far outside of the window regions are cut off.
 const BEYOND: f64 = 400.0;
-/// The largest sheet, millimetres a side: larger than any plotter.
-const LARGEST: f64 = 20_000.0;
 
 /// Where everything goes.
 #[derive(Clone, Debug)]
@@ -158,8 +156,9 @@ fn fitted(extent: Bounds, size: DVec2, pixel: Option<f64>, legend: f64, options:
         let paper = sheet(*scale).0;
         paper.cmple(A3).all() || paper.cmple(DVec2::new(A3.y, A3.x)).all()
     };
-    let least = size.max_element() * 1000.0 / LARGEST;
-    let scale = wanted(options).unwrap_or_else(|| round_scales().find(fits).unwrap_or(least)).max(least);
+    // Larger than any country: whatever scale fits.
+    let exact = size.max_element() * 1000.0 / 250.0;
+    let scale = wanted(options).unwrap_or_else(|| round_scales().find(fits).unwrap_or(exact));
     let (paper, layout) = sheet(scale);
     let dots = pixel.filter(|m| *m > 0.0).map_or(PRINT, |metres| scale / 1000.0 / metres);
     compose(extent, Frame::new(scale, options.rotation), paper, layout, legend, dots)

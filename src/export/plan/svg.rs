@@ -268,3 +268,14 @@ impl std::fmt::Display for Decimal {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::decimal;
+
+    #[test]
+    fn numbers_are_short_and_exact_to_a_thousandth() {
+        let words = [0.0, -0.0004, 1.5, -0.25, 12.345_6, 1e3, -0.001, f64::NAN].map(|v| decimal(v).to_string());
+        assert_eq!(words, ["0", "0", "1.5", "-0.25", "12.346", "1000", "-0.001", "0"]);
+    }
+}
