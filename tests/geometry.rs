@@ -5,14 +5,13 @@ mod polygons;
 
 use bosquet::geometry::*;
 use glam::DVec2;
-use polygons::{area, convex, direction, polygon};
+use polygons::{area, convex, polygon};
 use proptest::prelude::*;
 
 /// Every ring simple and rightly turned, holes inside: the repaired area is the area.
 fn assert_sound(area: &Area) {
     for part in area.polygons() {
-        assert!(ring_area(part.outer()) > 0.0);
-        assert!(part.holes().all(|h| ring_area(h) < 0.0));
+        part.sanity_check().unwrap();
         let rings: Vec<Vec<DVec2>> = part.rings().map(<[DVec2]>::to_vec).collect();
         let (repaired, _) = repair(&rings);
         close(repaired.area(), part.area(), 1e-4 + 1e-5 * part.perimeter());
@@ -22,6 +21,18 @@ fn assert_sound(area: &Area) {
 #[track_caller]
 fn close(a: f64, b: f64, slack: f64) {
     assert!((a - b).abs() <= slack, "{a} is not {b}");
+}
+
+/// A unit vector, now and then along an axis.
+fn direction() -> impl Strategy<Value = DVec2> {
+    let any = (0.0..360.0f64).prop_map(|a| DVec2::new(libm::cos(a.to_radians()), libm::sin(a.to_radians())));
+    prop_oneof![1 => Just(DVec2::X), 1 => Just(DVec2::Y), 1 => Just(DVec2::NEG_X), 3 => any]
+}
+
+/// What wild rings on a lattice mean: collinear edges, parts that touch in points, holes that touch the rim.
+fn lattice() -> impl Strategy<Value = Area> {
+    let point = (-6i32..6, -6i32..6).prop_map(|(x, y)| DVec2::new(x as f64, y as f64));
+    prop::collection::vec(prop::collection::vec(point, 3..14), 1..4).prop_map(|rings| repair(&rings).0)
 }
 
 /// A grid of points over the bounds of an area.
@@ -47,6 +58,38 @@ proptest! {
     }
 
     #[test]
+    fn bands_of_a_lattice_along_its_lines_are_sound(area in lattice(), flip in any::<bool>()) {
+        let normal = if flip { DVec2::X } else { DVec2::NEG_Y };
+        let cuts: Vec<f64> = (-6..=6).map(f64::from).collect();
+        let all = bands(&area, normal, &cuts);
+        close(all.iter().map(Area::area).sum(), area.area(), 1e-4);
+        for (part, cut) in all.iter().zip(cuts.windows(2)) {
+            assert_sound(part);
+            for p in samples(part, 8) {
+                if part.distance_to_edges(p) > 1e-4 {
+                    let inside = area.contains(p) && (cut[0]..=cut[1]).contains(&p.dot(normal));
+                    prop_assert_eq!(part.contains(p), inside);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn lattices_shrink_and_fall_apart_soundly(area in lattice(), distance in 0.05..1.0f64) {
+        let inner = inset(&area, distance);
+        assert_sound(&inner);
+        for (a, _) in inner.edges() {
+            let owner = area.polygons().iter().find(|p| p.contains(a));
+            prop_assert!(owner.is_some_and(|p| p.distance_to_edges(a) >= distance - 1e-4));
+        }
+        for part in area.polygons() {
+            let result = setback(part, |edge| if edge % 4 == 1 { 0.0 } else { distance });
+            let sum: f64 = result.strips.iter().map(|s| s.area.area()).sum();
+            close(sum + result.remainder.area(), part.area(), 1e-3);
+        }
+    }
+
+    #[test]
     fn convex_bands_agree_with_the_general_ones(polygon in convex(), normal in direction()) {
         let whole = Area::from(polygon.clone());
         let cuts: Vec<f64> = (-9..=9).map(|i| i as f64 * 6.7).collect();
@@ -67,7 +110,7 @@ proptest! {
             }
         }
         for p in samples(&area, 12) {
-            if area.contains(p) && area.distance_to_edges(p) > 4.0 * distance {
+            if area.contains(p) && area.distance_to_edges(p) > 6.0 * distance {
                 prop_assert!(inner.contains(p));
             }
         }

@@ -8,6 +8,9 @@
 //! give the same signed area, so rounding can never lose or invent area. Vertices on the cut count as outside, which
 //! keeps parts that meet the cut in single points apart.
 
+/// Places along a cut that are nearer than this (metres) are the same.
+const SAME_PLACE: f64 = 1e-6;
+
 /// Where vertices lie relative to a cut.
 pub(super) trait Section {
     /// A vertex.
@@ -26,6 +29,9 @@ pub(super) struct Clipped<P> {
     pub loops: Vec<Vec<P>>,
     /// Indices of the rings that lie wholly on the kept side.
     pub whole: Vec<usize>,
+    /// Whether rings touch in a point of the cut: the loops then wind around the right places in sum, but one may run
+    /// through what another leaves out.
+    pub touching: bool,
 }
 
 /// The kept side of the rings. Costs n log n in the number of crossings.
@@ -41,7 +47,8 @@ where
             chains_of(ring, section, &mut chains);
         }
     }
-    Clipped { loops: joined(chains, section), whole }
+    let (next, touching) = successors(&chains, section);
+    Clipped { loops: joined(chains, &next), whole, touching }
 }
 
 /// The runs of kept vertices of one ring, each with the places on the cut where it begins and ends.
@@ -62,20 +69,25 @@ fn chains_of<S: Section>(ring: &[S::Point], section: &mut S, chains: &mut Vec<Ve
     }
 }
 
-/// The chains joined along the cut into closed loops.
-fn joined<S: Section>(mut chains: Vec<Vec<S::Point>>, section: &S) -> Vec<Vec<S::Point>> {
-    let position = |p: Option<&S::Point>| p.map_or(0.0, |p| section.along(*p));
-    let order = |key: &dyn Fn(&Vec<S::Point>) -> f64| {
-        let mut order: Vec<usize> = (0..chains.len()).collect();
-        order.sort_by(|a, b| key(&chains[*a]).total_cmp(&key(&chains[*b])));
-        order
+/// Which chain comes after each along the cut, and whether two leave or come back in the same place.
+fn successors<S: Section>(chains: &[Vec<S::Point>], section: &S) -> (Vec<usize>, bool) {
+    let sorted = |end: fn(&[S::Point]) -> Option<&S::Point>| {
+        let places = chains.iter().enumerate().filter_map(|(i, c)| Some((section.along(*end(c)?), i)));
+        let mut places: Vec<(f64, usize)> = places.collect();
+        places.sort_by(|a, b| a.0.total_cmp(&b.0));
+        places
     };
-    let leaving = order(&|c| position(c.last()));
-    let entering = order(&|c| position(c.first()));
+    let (leaving, entering) = (sorted(<[_]>::last), sorted(<[_]>::first));
+    let touch = |places: &[(f64, usize)]| places.windows(2).any(|w| w[1].0 - w[0].0 < SAME_PLACE);
     let mut next = vec![0; chains.len()];
     for (from, to) in leaving.iter().zip(&entering) {
-        next[*from] = *to;
+        next[from.1] = to.1;
     }
+    (next, touch(&leaving) || touch(&entering))
+}
+
+/// The chains joined into closed loops.
+fn joined<P: Copy + PartialEq>(mut chains: Vec<Vec<P>>, next: &[usize]) -> Vec<Vec<P>> {
     let mut loops = Vec::new();
     for first in 0..chains.len() {
         let mut ring = std::mem::take(&mut chains[first]);

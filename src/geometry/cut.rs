@@ -5,6 +5,7 @@
 //! allocation per part.
 
 use crate::geometry::clip::{Section, clip};
+use crate::geometry::overlay::{Fill, enclosed};
 use crate::geometry::{Area, LEAST_AREA, Polygon, ring_area};
 use glam::DVec2;
 use smallvec::SmallVec;
@@ -22,12 +23,9 @@ pub(super) type Ring = SmallVec<[DVec2; 16]>;
 ///
 /// Empty where `to <= from` or a number is not a number.
 pub fn band(area: &Area, normal: DVec2, from: f64, to: f64) -> Area {
-    if !(from < to) {
-        return Area::empty();
-    }
     let mut parts = Area::empty();
-    for polygon in area.polygons() {
-        band_of(polygon, normal, from, to, &mut parts);
+    if from < to {
+        area.polygons().iter().for_each(|p| band_of(p, normal, from, to, &mut parts));
     }
     parts
 }
@@ -73,7 +71,11 @@ impl Section for Line {
     }
 
     fn crossing(&mut self, a: DVec2, b: DVec2) -> DVec2 {
-        Line::crossing(self, a, b)
+        match (self.height(a), self.height(b)) {
+            (0.0, _) => a,
+            (_, 0.0) => b,
+            (ha, hb) => self.met((a, ha), (b, hb)),
+        }
     }
 }
 
@@ -89,15 +91,8 @@ impl Line {
         if height.abs() <= ON_LINE { 0.0 } else { height }
     }
 
-    /// Where the segment meets the line, the same for both directions.
-    fn crossing(&self, a: DVec2, b: DVec2) -> DVec2 {
-        let (ha, hb) = (self.height(a), self.height(b));
-        if ha == 0.0 {
-            return a;
-        }
-        if hb == 0.0 {
-            return b;
-        }
+    /// Where the segment between two points of known heights meets the line, the same for both directions.
+    fn met(&self, (a, ha): (DVec2, f64), (b, hb): (DVec2, f64)) -> DVec2 {
         let (low, high, h, rise) = if ha < hb { (a, b, ha, hb - ha) } else { (b, a, hb, ha - hb) };
         self.snapped(low + (high - low) * (-h / rise))
     }
@@ -116,19 +111,38 @@ impl Line {
     /// The kept part of a convex ring.
     pub fn clip_convex(&self, ring: &[DVec2]) -> Ring {
         let mut kept = Ring::new();
-        let Some(mut before) = ring.last().copied() else { return kept };
-        let mut above = self.depth(before);
-        for &vertex in ring {
-            let depth = self.depth(vertex);
-            if (above > 0.0 && depth < 0.0) || (above < 0.0 && depth > 0.0) {
-                kept.push(self.crossing(before, vertex));
+        let Some(mut before) = ring.last().map(|p| (*p, self.height(*p))) else { return kept };
+        for vertex in ring.iter().map(|p| (*p, self.height(*p))) {
+            if before.1 * vertex.1 < 0.0 {
+                kept.push(self.met(before, vertex));
             }
-            if depth >= 0.0 {
-                kept.push(vertex);
+            if self.keep * vertex.1 >= 0.0 {
+                kept.push(vertex.0);
             }
-            (before, above) = (vertex, depth);
+            before = vertex;
         }
         kept
+    }
+
+    /// The parts of a convex ring before and beyond the line.
+    fn split_convex(&self, ring: &[DVec2]) -> (Ring, Ring) {
+        let (mut below, mut above) = (Ring::new(), Ring::new());
+        let Some(mut before) = ring.last().map(|p| (*p, self.height(*p))) else { return (below, above) };
+        for vertex in ring.iter().map(|p| (*p, self.height(*p))) {
+            if before.1 * vertex.1 < 0.0 {
+                let met = self.met(before, vertex);
+                below.push(met);
+                above.push(met);
+            }
+            if vertex.1 <= 0.0 {
+                below.push(vertex.0);
+            }
+            if vertex.1 >= 0.0 {
+                above.push(vertex.0);
+            }
+            before = vertex;
+        }
+        (below, above)
     }
 
     /// The kept part of a polygon, added to `parts`.
@@ -146,6 +160,11 @@ impl Line {
         }
         let rings: SmallVec<[&[DVec2]; 4]> = polygon.rings().collect();
         let clipped = clip(rings.iter().copied(), &mut self);
+        if clipped.touching {
+            let whole = clipped.whole.iter().map(|i| rings[*i]);
+            let sorted_out = enclosed(clipped.loops.iter().map(Vec::as_slice).chain(whole), Fill::Positive);
+            return sorted_out.polygons().iter().for_each(|p| parts.push(p.clone()));
+        }
         let (outers, mut holes): (Vec<_>, Vec<_>) = clipped.loops.into_iter().partition(|r| ring_area(r) > 0.0);
         holes.extend(clipped.whole.into_iter().map(|i| rings[i].to_vec()));
         nest(outers, holes, parts);
@@ -153,12 +172,15 @@ impl Line {
 }
 
 /// Polygons from outer rings and holes, each hole in the outer ring that surrounds it; added to `parts`.
+///
+/// A hole may touch its outer ring and stick out of it by a rounding, so the ring with most of its vertices has it.
 pub(super) fn nest(outers: Vec<Vec<DVec2>>, holes: Vec<Vec<DVec2>>, parts: &mut Area) {
     let polygons: Vec<Polygon> = outers.iter().filter_map(|r| Polygon::new(r, &[])).collect();
     let mut inside: Vec<Vec<Vec<DVec2>>> = vec![Vec::new(); polygons.len()];
     for hole in holes {
-        let owner = (polygons.len() > 1).then(|| polygons.iter().position(|p| hole.iter().all(|v| p.contains(*v))));
-        if let Some(list) = inside.get_mut(owner.flatten().unwrap_or(0)) {
+        let shared = |i: &usize| hole.iter().filter(|v| polygons[*i].contains(**v)).count();
+        let owner = if polygons.len() > 1 { (0..polygons.len()).max_by_key(shared) } else { Some(0) };
+        if let Some(list) = owner.and_then(|i| inside.get_mut(i)) {
             list.push(hole);
         }
     }
@@ -221,8 +243,9 @@ fn peel(polygon: &Polygon, normal: DVec2, cuts: &[f64], parts: &mut [Area]) {
         if *cut >= high - ON_LINE {
             return push_ring(&rest, part);
         }
-        push_ring(&Line::new(normal, *cut, false).clip_convex(&rest), part);
-        rest = Line::new(normal, *cut, true).clip_convex(&rest);
+        let (below, above) = Line::new(normal, *cut, true).split_convex(&rest);
+        push_ring(&below, part);
+        rest = above;
     }
 }
 

@@ -26,7 +26,7 @@ pub use cut::{band, bands};
 pub use grid::{BoxGrid, PointGrid};
 pub use hull::{OrientedBox, convex_hull};
 pub use locate::{NearestEdge, nearest_on_segment};
-pub use mesh::Mesh;
+pub use mesh::{Edge, Face, Mesh};
 pub use offset::{buffered, inset, offset};
 pub use path::{Path, stroke};
 pub use polygon::{Area, LEAST_AREA, Polygon, ring_area};

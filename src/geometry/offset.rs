@@ -5,7 +5,7 @@
 
 use crate::geometry::cut::{Line, Ring, is_convex, push_ring};
 use crate::geometry::overlay::{Corner, outline};
-use crate::geometry::{Area, Polygon, intersection};
+use crate::geometry::{Area, Polygon};
 use glam::DVec2;
 
 /// The area shrunk by `distance`: every point at least that far from the lines of the edges around it.
@@ -41,10 +41,8 @@ fn shrink(polygon: &Polygon, distance: f64, parts: &mut Area) {
     if !polygon.has_holes() && is_convex(polygon.outer()) {
         return shrink_convex(polygon.outer(), distance, parts);
     }
-    let whole: Area = polygon.clone().into();
-    // The engine's joins may overshoot where edges are shorter than the distance; nothing may leave the original.
-    let inner = outline(&whole, -distance, Corner::Mitre);
-    intersection(&inner, &whole).polygons().iter().for_each(|p| parts.push(p.clone()));
+    let inner = outline(&polygon.clone().into(), -distance, Corner::Mitre);
+    inner.polygons().iter().for_each(|p| parts.push(p.clone()));
 }
 
 fn shrink_convex(ring: &[DVec2], distance: f64, parts: &mut Area) {

@@ -4,7 +4,7 @@
 //! that two areas share stays shared and results are the same on every platform. The engine computes in 64 bit
 //! integers with 128 bit products, which hold any place on earth at that step.
 
-use crate::geometry::{Area, LEAST_AREA, Polygon};
+use crate::geometry::{Area, LEAST_AREA, Polygon, ring_area};
 use glam::DVec2;
 use i_overlay::core::overlay::{IntOverlayOptions, Overlay};
 use i_overlay::i_float::int::angle::Angle;
@@ -22,6 +22,10 @@ const FARTHEST: f64 = 1e11;
 
 /// Corners sharper than this are cut off instead of mitred out (radians).
 const SHARPEST_MITRE: f64 = 0.35;
+
+/// Corners flatter than this are cut off too (radians): their mitre is a matter of rounding, and the cut takes off
+/// less than a fifty-thousandth of the distance.
+const FLATTEST_MITRE: f64 = 0.01;
 
 /// Arcs deviate from their circle by at most this (metres).
 const ARC_ERROR: f64 = 0.005;
@@ -59,7 +63,7 @@ pub(super) fn enclosed<'a>(paths: impl Iterator<Item = &'a [DVec2]>, fill: Fill)
 /// The area grown by a distance, or shrunk by a negative one.
 pub(super) fn outline(whole: &Area, distance: f64, corner: Corner) -> Area {
     let mut style = IntOutlineStyle::new(steps(distance)).line_join(join(corner, distance.abs()));
-    style.miter_min_turn = Angle::from_bits(0);
+    style.miter_min_turn = angle(FLATTEST_MITRE);
     let rings = rings(whole);
     if rings.validate_outline(&style).is_err() {
         return Area::empty();
@@ -71,7 +75,7 @@ pub(super) fn outline(whole: &Area, distance: f64, corner: Corner) -> Area {
 pub(super) fn stroked(line: &[DVec2], width: f64, corner: Corner, closed: bool) -> Area {
     let mut style = IntStrokeStyle::new(steps(width));
     style.join = join(corner, width * 0.5);
-    style.miter_min_turn = Angle::from_bits(0);
+    style.miter_min_turn = angle(FLATTEST_MITRE);
     let path = to_grid(line);
     if path.validate_stroke(&style).is_err() {
         return Area::empty();
@@ -84,7 +88,6 @@ fn options() -> IntOverlayOptions<u128> {
 }
 
 fn join(corner: Corner, radius: f64) -> IntLineJoin {
-    let angle = |radians: f64| Angle::from_radians(radians).unwrap_or(ArcOptions::MAX_STEP);
     match corner {
         Corner::Mitre => IntLineJoin::Miter(angle(SHARPEST_MITRE)),
         Corner::Round => {
@@ -92,6 +95,10 @@ fn join(corner: Corner, radius: f64) -> IntLineJoin {
             IntLineJoin::Round(ArcOptions { max_step: angle(step), ..ArcOptions::default() })
         }
     }
+}
+
+fn angle(radians: f64) -> Angle {
+    Angle::from_radians(radians).unwrap_or(ArcOptions::MAX_STEP)
 }
 
 fn steps(length: f64) -> i64 {
@@ -106,17 +113,18 @@ fn rings(area: &Area) -> Rings {
     area.polygons().iter().flat_map(Polygon::rings).map(to_grid).collect()
 }
 
-/// Back to metres. Parts no wider than a few steps of the grid are traces of rounding and vanish.
+/// Back to metres. Parts and holes no wider than a few steps of the grid are traces of rounding and vanish.
 fn area(shapes: Vec<Rings>) -> Area {
     let metres =
         |ring: &Vec<Point>| -> Vec<DVec2> { ring.iter().map(|p| DVec2::new(p.x as f64, p.y as f64) / STEPS).collect() };
-    let sound = |p: &Polygon| p.area() > LEAST_AREA + p.perimeter() * (2.0 / STEPS);
-    shapes
-        .iter()
-        .filter_map(|shape| {
-            let holes: Vec<Vec<DVec2>> = shape.iter().skip(1).map(metres).collect();
-            Polygon::new(&metres(shape.first()?), &holes)
-        })
-        .filter(sound)
-        .collect()
+    let polygon = |shape: &Rings| {
+        let holes: Vec<Vec<DVec2>> = shape.iter().skip(1).map(metres).filter(|h| is_wide(h)).collect();
+        Polygon::new(&metres(shape.first()?), &holes).filter(|p| is_wide(p.outer()))
+    };
+    shapes.iter().filter_map(polygon).collect()
+}
+
+fn is_wide(ring: &[DVec2]) -> bool {
+    let around = ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| a.distance(*b));
+    ring_area(ring).abs() > LEAST_AREA + around.sum::<f64>() * (2.0 / STEPS)
 }

@@ -51,9 +51,7 @@ impl Path {
     /// The part between two distances along the line; `None` where nothing is between.
     pub fn piece(&self, from: f64, to: f64) -> Option<Path> {
         let (from, to) = (from.max(0.0), to.min(self.length()));
-        if !(from < to) {
-            return None;
-        }
+        (from < to).then_some(())?;
         let inner = self.points.iter().zip(&self.starts).filter(|(_, s)| **s > from && **s < to).map(|(p, _)| *p);
         let points: Vec<DVec2> =
             std::iter::once(self.at(from).0).chain(inner).chain(std::iter::once(self.at(to).0)).collect();

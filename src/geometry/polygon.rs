@@ -133,6 +133,27 @@ impl Polygon {
     }
 }
 
+impl Polygon {
+    /// Says what is wrong with the rings, if anything is: numbers that are not finite, a vertex twice in a row, a
+    /// ring turned the wrong way, holes larger than the outline. (Crossing rings are found by
+    /// [`crate::geometry::repair`].)
+    pub fn sanity_check(&self) -> Result<(), String> {
+        for (i, ring) in self.rings().enumerate() {
+            let area = ring_area(ring);
+            if ring.iter().any(|p| !p.is_finite()) || ring.len() < 3 {
+                return Err(format!("ring {i} is no ring: {ring:?}"));
+            }
+            if (i == 0) != (area > 0.0) {
+                return Err(format!("ring {i} runs the wrong way round: {area} m²"));
+            }
+            if let Some(twice) = ring.iter().zip(ring.iter().cycle().skip(1)).position(|(a, b)| a == b) {
+                return Err(format!("ring {i} has vertex {twice} twice"));
+            }
+        }
+        if self.area() > 0.0 { Ok(()) } else { Err(format!("{} m²", self.area())) }
+    }
+}
+
 impl Area {
     /// The empty region.
     pub fn empty() -> Area {

@@ -30,12 +30,6 @@ pub fn area() -> impl Strategy<Value = Area> {
     (polygon(), -1e3..1e3f64, -1e3..1e3f64).prop_map(|(p, x, y)| p.translated(DVec2::new(x, y)).into())
 }
 
-/// A unit vector, now and then along an axis.
-pub fn direction() -> impl Strategy<Value = DVec2> {
-    let any = (0.0..360.0f64).prop_map(|a| DVec2::new(libm::cos(a.to_radians()), libm::sin(a.to_radians())));
-    prop_oneof![1 => Just(DVec2::X), 1 => Just(DVec2::Y), 1 => Just(DVec2::NEG_X), 3 => any]
-}
-
 /// A star-shaped ring around the origin whose corners lie within a range of radii: gaps between corners stay below a
 /// half turn, so it contains the disk of about half its least radius.
 fn ring(radii: std::ops::Range<f64>) -> impl Strategy<Value = Vec<DVec2>> {
