@@ -2,10 +2,10 @@
 //! basin, an avenue, a bosquet behind hedges with a room in it, a meadow of mixed trees, furniture.
 
 use bosquet::element::{Catalogue, Entry, Words};
-use bosquet::geometry::{Area, Polygon, difference, inset};
+use bosquet::geometry::{Area, Mesh, Polygon, difference, inset};
 use bosquet::scene::{Cover, Line, LotOutline, Material, Object, Origin, Plant, Scene, Solid};
 use bosquet::seed::Seed;
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
 /// The garden.
@@ -75,6 +75,24 @@ pub fn plant(id: &str, kind: &str, position: DVec2, seed: u64) -> Plant {
 pub fn cover(word: &str, area: Area) -> Cover {
     let origin = Origin { lot: "garden".into(), rule: "Cover".into(), id: format!("cover {word}").into() };
     Cover { origin, material: material(word), area, elevation: 0.0 }
+}
+
+/// A square pavilion under a pyramid.
+fn pavilion(middle: DVec2, half: f64) -> Mesh {
+    let corner = |x: f64, y: f64, height: f64| DVec3::new(middle.x + x * half, height, -(middle.y + y * half));
+    let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+    let mut mesh = Mesh::default();
+    for height in [0.0, 6.0] {
+        mesh.positions.extend(square.map(|(x, y)| corner(x, y, height)));
+    }
+    mesh.positions.push(corner(0.0, 0.0, 12.0));
+    for i in 0..4 {
+        let next = (i + 1) % 4;
+        mesh.push_face([[i, next, next + 4, i + 4].as_slice()]);
+        mesh.push_face([[i + 4, next + 4, 8].as_slice()]);
+    }
+    mesh.push_face([[3, 2, 1, 0].as_slice()]);
+    mesh
 }
 
 impl Garden {
@@ -173,6 +191,11 @@ impl Garden {
         self.solid("roof", wing(-70.0), 14.0);
         self.solid("roof", rectangle(140.0, 54.0, 18.0, 12.0), 10.0);
         self.solid("roof", rectangle(140.0, -66.0, 18.0, 12.0), 10.0);
+        for y in [-93.0, 93.0] {
+            self.solid("roof", rectangle(130.0, y - 8.0, 16.0, 16.0), 9.0);
+            self.scene.solids.last_mut().expect("just added").mesh =
+                Some(Arc::new(pavilion(DVec2::new(138.0, y), 8.0)));
+        }
         self.solid("wall", rectangle(159.0, -54.0, 0.6, 108.0), 2.5);
     }
 

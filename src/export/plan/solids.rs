@@ -88,20 +88,21 @@ fn edges(area: &Area, ink: Ink) -> Vec<Item> {
 
 /// The upward faces of a modelled roof, lowest first.
 fn faces(mesh: &Mesh, line: Ink, sheet: &Sheet) -> Vec<Item> {
-    let on_paper = |p: &DVec3| sheet.frame.point(DVec2::new(p.x, -p.z));
+    let on_paper = |p: DVec3| sheet.frame.point(DVec2::new(p.x, -p.z));
     let mut upward: Vec<(f64, Item)> = Vec::new();
-    for face in 0..mesh.faces.len() {
-        let rings: Vec<Vec<DVec3>> = rings(mesh, face);
-        let normal = rings.first().map_or(DVec3::ZERO, |ring| normal(ring));
+    for face in mesh.faces() {
+        let normal = face.area_vector().normalize_or_zero();
         if normal.y < 0.05 {
             continue;
         }
         let mut path = Path::default();
-        rings.iter().for_each(|ring| path.add_line(&ring.iter().map(on_paper).collect::<Vec<_>>(), true));
-        let slope = on_paper(&DVec3::new(normal.x, 0.0, normal.z)) - on_paper(&DVec3::ZERO);
-        let ink = shade(slope.normalize_or_zero() * libm::hypot(normal.x, normal.z));
-        let height = rings[0].iter().map(|p| p.y).sum::<f64>() / rings[0].len() as f64;
-        upward.push((height, Shape::filled(path, ink).outlined(line.faded(0.6), 0.08).into()));
+        for ring in face.rings() {
+            path.add_line(&face.positions(ring).map(on_paper).collect::<Vec<_>>(), true);
+        }
+        let slope = on_paper(DVec3::new(normal.x, 0.0, normal.z)) - on_paper(DVec3::ZERO);
+        let ink = shade(slope.normalize_or_zero() * libm::hypot(normal.x, normal.z) * 1.3);
+        let top = face.positions(face.outline()).map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
+        upward.push((top, Shape::filled(path, ink).outlined(line.faded(0.6), 0.08).into()));
     }
     upward.sort_by(|a, b| a.0.total_cmp(&b.0));
     upward.into_iter().map(|(_, item)| item).collect()
@@ -138,21 +139,4 @@ fn roof(ground: &Ground, polygon: &Polygon) -> Vec<Item> {
 fn shade(outwards: DVec2) -> Ink {
     let lee = outwards.dot(direction(LEE));
     if lee > 0.0 { SHADOW.faded(0.34 * lee.min(1.0)) } else { LIGHT.faded(0.42 * (-lee).min(1.0)) }
-}
-
-/// The rings of a face as points.
-fn rings(mesh: &Mesh, face: usize) -> Vec<Vec<DVec3>> {
-    let before = |ends: &[u32], i: usize| if i == 0 { 0 } else { ends[i - 1] as usize };
-    let range = before(&mesh.faces, face)..mesh.faces[face] as usize;
-    let ring = |ring: usize| {
-        let corners = before(&mesh.rings, ring)..mesh.rings[ring] as usize;
-        mesh.corners[corners].iter().map(|c| mesh.positions[*c as usize]).collect()
-    };
-    range.map(ring).collect()
-}
-
-/// The unit normal of a ring (Newell).
-fn normal(ring: &[DVec3]) -> DVec3 {
-    let next = ring.iter().cycle().skip(1);
-    ring.iter().zip(next).map(|(a, b)| a.cross(*b)).sum::<DVec3>().normalize_or_zero()
 }
