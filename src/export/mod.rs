@@ -2,6 +2,7 @@
 
 mod csv;
 mod geo;
+pub mod plan;
 pub mod plants;
 pub mod report;
 pub mod schedule;
