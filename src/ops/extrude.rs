@@ -1,0 +1,98 @@
+//! `extrude`: gives a flat shape height, an edge a wall.
+
+use crate::geometry::{Mesh, Polygon};
+use crate::ops::declare::operation;
+use crate::ops::spec::choice;
+use crate::ops::{Apply, Given, Pieces, Problem, fit};
+use crate::shape::{Geometry, Plane, Shape};
+use crate::unit::Metres;
+use glam::{DVec2, DVec3};
+use std::sync::Arc;
+
+operation! {
+    /// Sweeps a flat shape along its normal, or straight up, into a solid; an edge becomes an upright face.
+    ///
+    /// The scope grows with it. A negative height sweeps the other way; 0 leaves the shape as it is.
+    /// ```cga
+    /// Hedge --> extrude(1.8) Yew.
+    /// ```
+    "extrude" (CityEngine, None) => pub struct Extrude {
+        /// Which way.
+        direction: Direction = Direction::Normal => "face.normal",
+        /// How far (metres).
+        height: Metres,
+    }
+}
+
+choice! {
+    /// Which way to sweep.
+    pub enum Direction {
+        /// Along the face's normal.
+        Normal = "face.normal",
+        /// The same: flat shapes have one normal.
+        Vertices = "vertex.normal",
+        /// Straight up.
+        Up = "world.up",
+        /// Straight up: flat shapes have flat tops.
+        UpFlat = "world.up.flatTop",
+        /// Straight up, as older rules write it.
+        Y = "world.y",
+    }
+}
+
+impl Apply for Extrude {
+    fn apply(self, shape: Shape, _: &Given) -> Result<Pieces, Problem> {
+        let height = self.height.0;
+        if !height.is_finite() {
+            return Err(Problem::new(format!("an extrusion of {height} m cannot be done")));
+        }
+        if height == 0.0 {
+            return Ok(Pieces::Changed(shape));
+        }
+        let up = shape.scope.frame.rotation.inverse() * DVec3::Y;
+        let geometry = match &shape.geometry {
+            Geometry::Flat(plane, area) => match self.sweep(plane, up) {
+                Some(_) => Geometry::Prism(plane.clone(), area.clone(), height * self.sign(plane, up)),
+                None => Geometry::Mesh(Arc::new(Mesh::prism(area, 0.0, height, |p, h| plane.at(p) + up * h))),
+            },
+            Geometry::Path(points) => Geometry::Mesh(Arc::new(wall(points, up * height))),
+            Geometry::Empty => return Ok(Pieces::Changed(shape)),
+            _ => return Err(Problem::new("`extrude` takes flat shapes and edges").hint("`comp(f)` takes a face of a solid")),
+        };
+        let changed = fit::fitted(&shape, geometry);
+        changed.map(Pieces::Changed).ok_or_else(|| Problem::new("there is nothing to extrude"))
+    }
+}
+
+impl Extrude {
+    /// Whether the sweep runs along the plane's normal.
+    fn sweep(&self, plane: &Plane, up: DVec3) -> Option<()> {
+        let along = matches!(self.direction, Direction::Normal | Direction::Vertices);
+        (along || plane.normal().dot(up).abs() > 1.0 - 1e-9).then_some(())
+    }
+
+    /// Up may be against the normal.
+    fn sign(&self, plane: &Plane, up: DVec3) -> f64 {
+        match self.direction {
+            Direction::Normal | Direction::Vertices => 1.0,
+            _ => plane.normal().dot(up).signum(),
+        }
+    }
+}
+
+/// Upright faces along a line.
+fn wall(points: &[DVec3], sweep: DVec3) -> Mesh {
+    let mut mesh = Mesh::default();
+    for pair in points.windows(2) {
+        let first = mesh.positions.len() as u32;
+        mesh.positions.extend([pair[0], pair[1], pair[1] + sweep, pair[0] + sweep]);
+        mesh.push_face([[first, first + 1, first + 2, first + 3]]);
+    }
+    mesh
+}
+
+/// A rectangle in the scope's ground plane: what operations without geometry of their own begin with.
+pub fn rectangle(shape: &Shape) -> Option<Polygon> {
+    let size = shape.scope.size;
+    Polygon::rectangle(DVec2::new(0.0, -size.z), DVec2::new(size.x, 0.0))
+}

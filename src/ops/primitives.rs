@@ -1,0 +1,184 @@
+//! Primitives: a plain form that fills the scope, for proxies and studies.
+
+use crate::geometry::{Area, Mesh, Polygon};
+use crate::ops::declare::operation;
+use crate::ops::{Apply, Given, Pieces, Problem, fit};
+use crate::shape::{Geometry, Plane, Shape};
+use crate::unit::Metres;
+use glam::{DVec2, DVec3};
+use std::sync::Arc;
+
+operation! {
+    /// A rectangle on the ground of the scope.
+    /// ```cga
+    /// Slab --> primitiveQuad(2, 3) Stone.
+    /// ```
+    "primitiveQuad" (CityEngine, None) => pub struct Quad {
+        /// Along x (metres); 0 fills the scope.
+        width: Metres = Metres(0.0) => "0",
+        /// Along z (metres); 0 fills the scope.
+        depth: Metres = Metres(0.0) => "0",
+    }
+}
+
+operation! {
+    /// A disk on the ground of the scope.
+    /// ```cga
+    /// Basin --> primitiveDisk(48, 6) Water.
+    /// ```
+    "primitiveDisk" (CityEngine, None) => pub struct Disk {
+        /// How many corners stand for the circle.
+        vertices: u32 = 32 => "32",
+        /// Radius (metres); 0 fills the scope.
+        radius: Metres = Metres(0.0) => "0",
+    }
+}
+
+operation! {
+    /// A box that fills the scope.
+    /// ```cga
+    /// Plinth --> primitiveCube(1, 1.2, 1) Stone.
+    /// ```
+    "primitiveCube" (CityEngine, None) => pub struct Cube {
+        /// Along x (metres); 0 fills the scope.
+        width: Metres = Metres(0.0) => "0",
+        /// Along y (metres); 0 fills the scope.
+        height: Metres = Metres(0.0) => "0",
+        /// Along z (metres); 0 fills the scope.
+        depth: Metres = Metres(0.0) => "0",
+    }
+}
+
+operation! {
+    /// An upright cylinder that fills the scope.
+    /// ```cga
+    /// Pot --> primitiveCylinder(24, 0.4, 0.5) Clay.
+    /// ```
+    "primitiveCylinder" (CityEngine, None) => pub struct Cylinder {
+        /// How many corners stand for the circle.
+        sides: u32 = 16 => "16",
+        /// Radius (metres); 0 fills the scope.
+        radius: Metres = Metres(0.0) => "0",
+        /// Height (metres); 0 fills the scope.
+        height: Metres = Metres(0.0) => "0",
+    }
+}
+
+operation! {
+    /// An upright cone that fills the scope.
+    /// ```cga
+    /// Topiary --> primitiveCone(24, 0.6, 2) Yew.
+    /// ```
+    "primitiveCone" (CityEngine, None) => pub struct Cone {
+        /// How many corners stand for the circle.
+        sides: u32 = 16 => "16",
+        /// Radius (metres); 0 fills the scope.
+        radius: Metres = Metres(0.0) => "0",
+        /// Height (metres); 0 fills the scope.
+        height: Metres = Metres(0.0) => "0",
+    }
+}
+
+operation! {
+    /// A ball that fills the scope.
+    /// ```cga
+    /// Ball --> primitiveSphere(16, 12, 0.5) Box.
+    /// ```
+    "primitiveSphere" (CityEngine, None) => pub struct Sphere {
+        /// Corners around.
+        sides: u32 = 16 => "16",
+        /// Bands from bottom to top.
+        bands: u32 = 8 => "8",
+        /// Radius (metres); 0 fills the scope.
+        radius: Metres = Metres(0.0) => "0",
+    }
+}
+
+/// Corners or bands beyond this do not show.
+const MOST_SIDES: u32 = 1024;
+
+impl Apply for Quad {
+    fn apply(self, shape: Shape, _: &Given) -> Result<Pieces, Problem> {
+        let size = sized(&shape, [self.width.0, 0.0, self.depth.0])?;
+        let polygon = Polygon::rectangle(DVec2::new(0.0, -size.z), DVec2::new(size.x, 0.0));
+        Ok(Pieces::Changed(on_ground(&shape, polygon)))
+    }
+}
+
+impl Apply for Disk {
+    fn apply(self, shape: Shape, _: &Given) -> Result<Pieces, Problem> {
+        let size = sized(&shape, [2.0 * self.radius.0, 0.0, 2.0 * self.radius.0])?;
+        let round = Polygon::regular(DVec2::ZERO, 0.5, corners(self.vertices));
+        let stretch = |p: DVec2| DVec2::new((p.x + 0.5) * size.x, (p.y - 0.5) * size.z);
+        let polygon = round.filter(|_| size.x > 0.0 && size.z > 0.0).map(|round| round.mapped(stretch));
+        Ok(Pieces::Changed(on_ground(&shape, polygon)))
+    }
+}
+
+impl Apply for Cube {
+    fn apply(self, shape: Shape, _: &Given) -> Result<Pieces, Problem> {
+        let size = sized(&shape, [self.width.0, self.height.0, self.depth.0])?;
+        let polygon = Polygon::rectangle(DVec2::new(0.0, -size.z), DVec2::new(size.x, 0.0));
+        let flat = on_ground(&shape, polygon);
+        match flat.geometry {
+            Geometry::Flat(plane, area) if size.y > 0.0 => {
+                let geometry = Geometry::Prism(plane, area, size.y);
+                let solid = Shape { geometry, ..shape.clone() };
+                let changed = fit::fitted(&shape, solid.geometry);
+                Ok(Pieces::Changed(changed.unwrap_or(shape)))
+            }
+            geometry => Ok(Pieces::Changed(Shape { geometry, ..flat })),
+        }
+    }
+}
+
+impl Apply for Cylinder {
+    fn apply(self, shape: Shape, _: &Given) -> Result<Pieces, Problem> {
+        let size = sized(&shape, [2.0 * self.radius.0, self.height.0, 2.0 * self.radius.0])?;
+        Ok(Pieces::Changed(solid(&shape, Mesh::cylinder(size, corners(self.sides)))))
+    }
+}
+
+impl Apply for Cone {
+    fn apply(self, shape: Shape, _: &Given) -> Result<Pieces, Problem> {
+        let size = sized(&shape, [2.0 * self.radius.0, self.height.0, 2.0 * self.radius.0])?;
+        Ok(Pieces::Changed(solid(&shape, Mesh::cone(size, corners(self.sides)))))
+    }
+}
+
+impl Apply for Sphere {
+    fn apply(self, shape: Shape, _: &Given) -> Result<Pieces, Problem> {
+        let size = sized(&shape, [2.0 * self.radius.0; 3])?;
+        let bands = self.bands.clamp(2, MOST_SIDES) as usize;
+        Ok(Pieces::Changed(solid(&shape, Mesh::sphere(size, corners(self.sides), bands))))
+    }
+}
+
+fn corners(count: u32) -> usize {
+    count.clamp(3, MOST_SIDES) as usize
+}
+
+/// The given size where it is not 0, else the scope's.
+fn sized(shape: &Shape, given: [f64; 3]) -> Result<DVec3, Problem> {
+    if given.iter().any(|x| !x.is_finite() || *x < 0.0) {
+        return Err(Problem::new(format!("a size of {} m cannot be made", given.into_iter().fold(0.0, f64::min))));
+    }
+    let given = DVec3::from(given);
+    Ok(DVec3::select(given.cmpgt(DVec3::ZERO), given, shape.scope.size))
+}
+
+/// The polygon in place of the shape's geometry; empty where there is none.
+fn on_ground(shape: &Shape, polygon: Option<Polygon>) -> Shape {
+    let geometry = polygon.map(|p| Geometry::Flat(Plane::Ground, Area::from(p)));
+    let empty = Shape { geometry: Geometry::Empty, ..shape.clone() };
+    geometry.and_then(|g| fit::fitted(shape, g)).unwrap_or(empty)
+}
+
+/// The mesh in place of the shape's geometry; empty where it has no faces.
+fn solid(shape: &Shape, mesh: Mesh) -> Shape {
+    let empty = Shape { geometry: Geometry::Empty, ..shape.clone() };
+    match mesh.faces.is_empty() {
+        true => empty,
+        false => fit::fitted(shape, Geometry::Mesh(Arc::new(mesh))).unwrap_or(empty),
+    }
+}
