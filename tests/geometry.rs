@@ -7,6 +7,7 @@ use bosquet::geometry::*;
 use glam::DVec2;
 use polygons::{area, convex, polygon};
 use proptest::prelude::*;
+use std::hint::black_box;
 
 /// Every ring simple and rightly turned, holes inside: the repaired area is the area.
 fn assert_sound(area: &Area) {
@@ -272,19 +273,19 @@ proptest! {
         let trusting = rings.first().and_then(|r| Polygon::new(r, &rings[1..])).map(Area::from);
         for area in [Some(area), trusting].into_iter().flatten() {
             for p in area.polygons() {
-                (p.centroid(), p.interior_point(), p.is_rectangle(y), p.oriented_box(), p.hull());
+                black_box((p.centroid(), p.interior_point(), p.is_rectangle(y), p.oriented_box(), p.hull()));
                 setback(p, |i| if i % 2 == 0 { x } else { y });
             }
-            (inset(&area, x), offset(&area, y), buffered(&area, x), area.triangles());
+            black_box((inset(&area, x), offset(&area, y), buffered(&area, x), area.triangles()));
             bands(&area, DVec2::new(x, y).normalize_or_zero(), &[y, x, 5.0]);
             band(&area, DVec2::X, x, y);
             relax(&rings.concat(), &area, 2);
             let prism = Mesh::prism(&area, x, y, |p, h| p.extend(h));
-            (prism.cut(glam::DVec3::Z, x, y), prism.footprint(), prism.triangles());
+            black_box((prism.cut(glam::DVec3::Z, x, y), prism.footprint(), prism.triangles()));
         }
         let all = rings.concat();
         stroke(&all, x);
-        if let Some(path) = Path::new(&all) { (path.at(x), path.piece(x, y), path.resampled(y.abs().max(1e-3))); }
+        if let Some(path) = Path::new(&all) { black_box((path.at(x), path.piece(x, y), path.resampled(y.abs().max(1e-3)))); }
         PointGrid::new(&all, x).within(DVec2::new(x, y), y).count();
         BoxGrid::new(&all.windows(2).map(|w| Bounds { min: w[0], max: w[1] }).collect::<Vec<_>>())
             .touching(Bounds { min: DVec2::splat(x), max: DVec2::splat(y) }).count();
