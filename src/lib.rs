@@ -3,11 +3,15 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+pub mod check;
+pub mod derive;
 pub mod diag;
 pub mod element;
 pub mod export;
+pub mod functions;
 pub mod geometry;
 pub mod layout;
+pub mod ops;
 pub mod placement;
 pub mod scene;
 pub mod seed;

@@ -1,8 +1,8 @@
 //! What annotations say: ranges, choices and descriptions of attributes; start rules and zones of rules.
 
+use crate::check::Checker;
 use crate::check::names::Written;
 use crate::check::program::{Attribute, Code, Kind, Zone};
-use crate::check::Checker;
 use crate::diag::Diagnostic;
 use crate::syntax::ast::{Annotation, Arg, Expr, ExprKind, UnaryOp};
 use crate::value::Value;
@@ -110,7 +110,8 @@ impl Checker {
             };
             let stranger = !attribute.choices.is_empty() && !attribute.choices.contains(value);
             if outside || (stranger && attribute.kind == Kind::Text) {
-                let message = format!("`{}` begins with `{value}`, which its annotation does not allow", attribute.name);
+                let message =
+                    format!("`{}` begins with `{value}`, which its annotation does not allow", attribute.name);
                 lints.push(Diagnostic::lint("range", attribute.span, message));
             }
         }

@@ -167,6 +167,7 @@ impl Checker {
 
     fn operation(&mut self, operation: &'static Operation, call: &Call) -> Step {
         let (args, arg_spans) = self.arguments(operation.spec, &call.args, call.span);
+        self.program.looks_around |= operation.looks_around;
         let mut bodies = Vec::new();
         let block = match (operation.spec.block, call.blocks.first()) {
             (BlockKind::None, None) => Block::None,
@@ -177,7 +178,9 @@ impl Checker {
             }
             (_, None) => {
                 let message = format!("`{}` needs a block", operation.spec.name);
-                self.tell(Diagnostic::error("block", call.span, message).hint(format!("as in `{}`", operation.spec.usage())));
+                self.tell(
+                    Diagnostic::error("block", call.span, message).hint(format!("as in `{}`", operation.spec.usage())),
+                );
                 Block::None
             }
             (BlockKind::Cuts, Some(block)) => {
@@ -256,7 +259,7 @@ impl Checker {
     fn selector(
         &mut self,
         spec: &Spec,
-        extra: &[&str],
+        extra: &'static [&'static str],
         entry: &Entry,
         bodies: &mut Vec<Body>,
     ) -> Option<Selector> {
@@ -275,9 +278,11 @@ impl Checker {
         Some(Selector { test: test?, together: head.separator != Separator::Each })
     }
 
-    fn test(&mut self, extra: &[&str], key: &Expr) -> Option<Test> {
+    fn test(&mut self, extra: &'static [&'static str], key: &Expr) -> Option<Test> {
         match &key.kind {
-            ExprKind::Call(word, None) if &**word == "remainder" && extra.contains(&"remainder") => Some(Test::Remainder),
+            ExprKind::Call(word, None) if &**word == "remainder" && extra.contains(&"remainder") => {
+                Some(Test::Remainder)
+            }
             ExprKind::Call(word, None) if Selectors::of_word(word).is_some() || extra.contains(&&**word) => {
                 Some(Test::Word(word.clone()))
             }

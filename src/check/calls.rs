@@ -46,13 +46,7 @@ impl Checker {
     }
 
     /// A parameter, attribute or function of the files.
-    fn own_name(
-        &mut self,
-        module: usize,
-        name: &Arc<str>,
-        args: Option<&[Arg]>,
-        here: bool,
-    ) -> Option<(Code, Kind)> {
+    fn own_name(&mut self, module: usize, name: &Arc<str>, args: Option<&[Arg]>, here: bool) -> Option<(Code, Kind)> {
         let position = self.params.iter().position(|p| p == name).filter(|_| here && args.is_none());
         if let Some(position) = position {
             return Some((Code::Param(position as u16), Kind::Unknown));
@@ -104,8 +98,8 @@ impl Checker {
         }
         let what = if call { "function" } else { "attribute, parameter or function" };
         let near = self.near_value(name);
-        let mut diagnostic =
-            Diagnostic::error("unknown-name", span, format!("there is no {what} `{name}`")).did_you_mean(near.as_deref());
+        let mut diagnostic = Diagnostic::error("unknown-name", span, format!("there is no {what} `{name}`"))
+            .did_you_mean(near.as_deref());
         if near.is_none() && !call {
             diagnostic = diagnostic.hint(format!("a text stands in quotes: `\"{name}\"`"));
         }
@@ -129,7 +123,12 @@ impl Checker {
     }
 
     /// Arguments in the order of the parameters, each with its place.
-    pub(super) fn arguments(&mut self, spec: &'static Spec, args: &[Arg], span: Span) -> (Vec<Option<Code>>, Vec<Span>) {
+    pub(super) fn arguments(
+        &mut self,
+        spec: &'static Spec,
+        args: &[Arg],
+        span: Span,
+    ) -> (Vec<Option<Code>>, Vec<Span>) {
         let mut codes: Vec<Option<Code>> = spec.params.iter().map(|_| None).collect();
         let mut spans = vec![span; spec.params.len()];
         let mut next = 0;
@@ -196,7 +195,9 @@ impl Checker {
             (ExprKind::Call(name, None), ParamKind::Choice(words)) if words.contains(&&**name) => {
                 Code::Value(Value::Word(name.clone()))
             }
-            (ExprKind::Call(name, None) | ExprKind::Text(name), ParamKind::Attribute) => self.attribute_name(name, value.span),
+            (ExprKind::Call(name, None) | ExprKind::Text(name), ParamKind::Attribute) => {
+                self.attribute_name(name, value.span)
+            }
             (ExprKind::Call(name, None), kind)
                 if kind.takes_words() && !self.is_own_name(name) && functions::find(name).is_none() =>
             {
@@ -204,7 +205,9 @@ impl Checker {
             }
             _ => self.value(value).0,
         };
-        if let Some(known) = code.known().filter(|known| !param.kind.accepts(known)).filter(|_| param.kind != ParamKind::Attribute) {
+        if let Some(known) =
+            code.known().filter(|known| !param.kind.accepts(known)).filter(|_| param.kind != ParamKind::Attribute)
+        {
             let message =
                 format!("`{}` takes {}, found {} `{known}`", param.name, param.kind.words(), known.type_name());
             let near = match param.kind {

@@ -72,7 +72,9 @@ impl Checker {
             module: 0,
             params: Vec::new(),
         };
-        rules.iter().for_each(|written| drop(checker.symbol(&written.rule().name.text)));
+        for written in rules {
+            checker.symbol(&written.rule().name.text);
+        }
         checker
     }
 

@@ -74,9 +74,8 @@ impl Loaded {
             return index as u16;
         }
         let index = self.files.len() as u16;
-        let (source, notes) = Source::new(index, path, bytes);
+        let source = Source::new(path, bytes);
         let (tree, errors) = parse(index, &source);
-        self.diagnostics.extend(notes);
         self.diagnostics.extend(errors);
         self.files.push((source, Arc::new(tree)));
         index
@@ -182,7 +181,8 @@ impl Loaded {
         };
         let file = self.file(&path, &bytes);
         if let Some(at) = chain.iter().position(|f| *f == file) {
-            let names: Vec<&str> = chain[at..].iter().chain([&file]).map(|f| self.files[*f as usize].0.path()).collect();
+            let names: Vec<&str> =
+                chain[at..].iter().chain([&file]).map(|f| self.files[*f as usize].0.path()).collect();
             self.error("import-cycle", span, format!("the imports go in a circle: {}", names.join(" → ")));
             return;
         }

@@ -215,7 +215,11 @@ impl Engine<'_> {
             }
             Body::Case(arms, otherwise, span) => {
                 for (test, body) in arms {
-                    if self.frame(turn, current).with(|n, a| evaluate::truth(test, n, a, *span)).map_err(|f| self.failed(f, turn))? {
+                    if self
+                        .frame(turn, current)
+                        .with(|n, a| evaluate::truth(test, n, a, *span))
+                        .map_err(|f| self.failed(f, turn))?
+                    {
                         return self.steps(body, turn, current);
                     }
                 }
@@ -224,7 +228,10 @@ impl Engine<'_> {
             Body::Chance(arms, otherwise, span) => {
                 let mut left = current.random.uniform(0.0, 100.0);
                 for (percent, body) in arms {
-                    left -= self.frame(turn, current).with(|n, a| evaluate::number(percent, n, a, *span)).map_err(|f| self.failed(f, turn))?;
+                    left -= self
+                        .frame(turn, current)
+                        .with(|n, a| evaluate::number(percent, n, a, *span))
+                        .map_err(|f| self.failed(f, turn))?;
                     if left < 0.0 {
                         return self.steps(body, turn, current);
                     }
@@ -249,11 +256,13 @@ impl Engine<'_> {
         for alternative in alternatives {
             let span = alternative.span;
             let mut frame = self.frame(turn, current);
-            let holds = alternative.condition.as_ref().map_or(Ok(true), |c| frame.with(|n, a| evaluate::truth(c, n, a, span)));
+            let holds =
+                alternative.condition.as_ref().map_or(Ok(true), |c| frame.with(|n, a| evaluate::truth(c, n, a, span)));
             if holds.map_err(|f| self.failed(f, turn))? {
-                let weight = alternative.probability.as_ref().map(|p| {
-                    self.frame(turn, current).with(|n, a| evaluate::number(p, n, a, span))
-                });
+                let weight = alternative
+                    .probability
+                    .as_ref()
+                    .map(|p| self.frame(turn, current).with(|n, a| evaluate::number(p, n, a, span)));
                 open.push((&alternative.body, weight.transpose().map_err(|f| self.failed(f, turn))?));
             }
         }

@@ -4,12 +4,10 @@
 //! front, the origin at the corner with the least coordinates.
 
 use crate::functions::Initial;
-use crate::geometry::{Area, Bounds, stroke};
+use crate::geometry::{Area, stroke};
 use crate::layout::{Feature, Kind, Layout, Region, Shapes};
 use crate::seed::Seed;
-use crate::shape::{
-    Extent, Footprint, Frame, Geometry, Occluder, Occluders, Ordinals, Plane, Scope, Shape, Style,
-};
+use crate::shape::{Extent, Footprint, Frame, Geometry, Occluder, Occluders, Ordinals, Plane, Scope, Shape, Style};
 use glam::{DQuat, DVec2, DVec3};
 use std::sync::Arc;
 
@@ -47,12 +45,7 @@ pub(super) fn seed(region: &Region, run: Seed) -> Seed {
 
 /// What rules can ask of the region.
 pub(super) fn facts(region: &Region, start: Arc<str>) -> Initial {
-    Initial {
-        name: region.name.clone(),
-        start,
-        kind: region.kind.word().into(),
-        zone: region.zone.clone(),
-    }
+    Initial { name: region.name.clone(), start, kind: region.kind.word().into(), zone: region.zone.clone() }
 }
 
 /// The features of the lot, under the word of their kind.

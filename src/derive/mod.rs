@@ -57,13 +57,7 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Limits {
-        Limits {
-            depth: 1_000,
-            calls: 200,
-            shapes: 5_000_000,
-            children: 2_000_000,
-            time: Duration::from_secs(600),
-        }
+        Limits { depth: 1_000, calls: 200, shapes: 5_000_000, children: 2_000_000, time: Duration::from_secs(600) }
     }
 }
 
@@ -86,10 +80,15 @@ impl Progress {
 /// Derives every region of the layout that has a start rule, in parallel; the result is in the layout's order.
 ///
 /// Never fails: what stops a branch or a lot is among the lot's diagnostics. A stopped run gives what was done.
-pub fn derive(program: &Program, layout: &Layout, options: &Options, progress: &Progress) -> (Derivation, Vec<Diagnostic>) {
+pub fn derive(
+    program: &Program,
+    layout: &Layout,
+    options: &Options,
+    progress: &Progress,
+) -> (Derivation, Vec<Diagnostic>) {
     let starts: Vec<Result<u32, StartError>> =
         layout.regions.iter().map(|region| start_of(program, region, options.start.as_deref())).collect();
-    let mut diagnostics = start::report(layout, &starts);
+    let mut diagnostics = start::report(program, layout, &starts);
     let lots: Vec<Lot> = layout
         .regions
         .par_iter()
@@ -103,11 +102,7 @@ pub fn derive(program: &Program, layout: &Layout, options: &Options, progress: &
         })
         .collect();
     let without_rule = layout.regions.iter().zip(&starts).filter(|(_, s)| s.is_err()).map(|(r, _)| r.id.clone());
-    let derivation = Derivation {
-        symbols: program.symbols.clone().into(),
-        without_rule: without_rule.collect(),
-        lots,
-    };
+    let derivation = Derivation { symbols: program.symbols.clone().into(), without_rule: without_rule.collect(), lots };
     diagnostics.extend(derivation.lots.iter().flat_map(|lot| lot.outcome.diagnostics.iter().cloned()));
     (derivation, diagnostics)
 }

@@ -20,10 +20,7 @@ pub fn start_of(program: &Program, region: &Region, asked: Option<&str>) -> Resu
     if let Some(name) = asked.or(region.start.as_deref()) {
         return program.start_named(name).ok_or_else(|| StartError::Unknown(name.into()));
     }
-    zone(program, region)
-        .or_else(|| named_like(program, region.kind.word()))
-        .or(program.start)
-        .ok_or(StartError::None)
+    zone(program, region).or_else(|| named_like(program, region.kind.word())).or(program.start).ok_or(StartError::None)
 }
 
 /// `@Zone(kind, zone)` before `@Zone(kind)`.
@@ -40,7 +37,7 @@ fn named_like(program: &Program, kind: &str) -> Option<u32> {
 }
 
 /// One diagnostic per missing rule, with the regions that asked for it; one note for those without any.
-pub(super) fn report(layout: &Layout, starts: &[Result<u32, StartError>]) -> Vec<Diagnostic> {
+pub(super) fn report(program: &Program, layout: &Layout, starts: &[Result<u32, StartError>]) -> Vec<Diagnostic> {
     let mut diagnostics: Vec<Diagnostic> = Vec::new();
     let mut missing: std::collections::BTreeMap<&str, Vec<&str>> = std::collections::BTreeMap::new();
     let mut silent: Vec<&str> = Vec::new();
@@ -52,8 +49,9 @@ pub(super) fn report(layout: &Layout, starts: &[Result<u32, StartError>]) -> Vec
         }
     }
     for (name, regions) in missing {
+        let near = nearest(name, program.starts.iter().map(|(n, _)| &**n));
         let message = format!("there is no rule `{name}` without arguments to start with on {}", some(&regions));
-        diagnostics.push(Diagnostic::new(Severity::Error, "start", Place::Run, message));
+        diagnostics.push(Diagnostic::new(Severity::Error, "start", Place::Run, message).did_you_mean(near));
     }
     if !silent.is_empty() {
         let message = format!("no rule starts on {}", some(&silent));
@@ -70,9 +68,4 @@ fn some(ids: &[&str]) -> String {
         0 => shown.join(", "),
         more => format!("{} and {more} more", shown.join(", ")),
     }
-}
-
-/// The nearest start rule to a name that is none.
-pub fn nearest_start<'a>(program: &'a Program, name: &str) -> Option<&'a str> {
-    nearest(name, program.starts.iter().map(|(n, _)| &**n))
 }

@@ -89,7 +89,18 @@ impl Function {
         docs: &'static str,
         call: fn(&[Value], &mut Surroundings) -> Result<Value, String>,
     ) -> Function {
-        Function { name, signature, docs, arity, words: &[], constant: false, settable: false, looks_around: false, added: false, call }
+        Function {
+            name,
+            signature,
+            docs,
+            arity,
+            words: &[],
+            constant: false,
+            settable: false,
+            looks_around: false,
+            added: false,
+            call,
+        }
     }
 
     const fn constant(mut self) -> Function {

@@ -18,14 +18,22 @@ pub(super) static LIST: &[Function] = &[
     })
     .words(TARGETS)
     .looking(),
-    Function::new("overlaps", SIGNATURE, (0, 2), "Whether the shape and another share an inner part.", |args, around| {
-        ask(args, around, Relation::Overlaps)
-    })
+    Function::new(
+        "overlaps",
+        SIGNATURE,
+        (0, 2),
+        "Whether the shape and another share an inner part.",
+        |args, around| ask(args, around, Relation::Overlaps),
+    )
     .words(TARGETS)
     .looking(),
-    Function::new("touches", SIGNATURE, (0, 2), "Whether the shape meets another within a millimetre.", |args, around| {
-        ask(args, around, Relation::Touches)
-    })
+    Function::new(
+        "touches",
+        SIGNATURE,
+        (0, 2),
+        "Whether the shape meets another within a millimetre.",
+        |args, around| ask(args, around, Relation::Touches),
+    )
     .words(TARGETS)
     .looking(),
 ];

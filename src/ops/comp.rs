@@ -161,10 +161,12 @@ fn flat_edges(shape: &Shape, plane: &Plane, area: &Area) -> Vec<Component> {
 fn solid_edges(shape: &Shape) -> Vec<Component> {
     let mesh = shape.local_mesh().unwrap_or_default();
     let normals: Vec<DVec3> = mesh.faces().map(|face| face.normal()).collect();
-    let outward = |faces: &[u32]| faces.iter().filter_map(|f| normals.get(*f as usize)).sum::<DVec3>();
     let at = |index: u32| mesh.positions[index as usize];
+    let outward = |left: u32, right: Option<u32>| {
+        normals[left as usize] + right.map_or(DVec3::ZERO, |face| normals[face as usize])
+    };
     let edges = mesh.edges();
-    edges.iter().filter_map(|e| edge(shape, at(e.ends[0]), at(e.ends[1]), outward(&e.faces))).collect()
+    edges.iter().filter_map(|e| edge(shape, at(e.from), at(e.to), outward(e.left, e.right))).collect()
 }
 
 fn face_edges(shape: &Shape) -> Vec<Component> {

@@ -46,12 +46,10 @@ macro_rules! operation {
         }
 
         impl $crate::ops::Decode for $type {
-            #[allow(unused_mut, unused_variables)]
             fn decode(values: &mut [Option<$crate::value::Value>]) -> Result<Self, $crate::ops::Problem> {
-                let mut index = 0;
+                let mut values = values.iter_mut().map(Option::take);
                 Ok($type { $( $field: {
-                    let value = values.get_mut(index).and_then(Option::take);
-                    index += 1;
+                    let value = values.next().flatten();
                     $crate::ops::declare::operation!(@decode $field, $ptype, value $(, $default)?)
                 } ),* })
             }

@@ -1,12 +1,12 @@
 //! `extrude`: gives a flat shape height, an edge a wall.
 
-use crate::geometry::{Mesh, Polygon};
+use crate::geometry::Mesh;
 use crate::ops::declare::operation;
 use crate::ops::spec::choice;
 use crate::ops::{Apply, Given, Pieces, Problem, fit};
 use crate::shape::{Geometry, Plane, Shape};
 use crate::unit::Metres;
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 use std::sync::Arc;
 
 operation! {
@@ -57,7 +57,11 @@ impl Apply for Extrude {
             },
             Geometry::Path(points) => Geometry::Mesh(Arc::new(wall(points, up * height))),
             Geometry::Empty => return Ok(Pieces::Changed(shape)),
-            _ => return Err(Problem::new("`extrude` takes flat shapes and edges").hint("`comp(f)` takes a face of a solid")),
+            _ => {
+                return Err(
+                    Problem::new("`extrude` takes flat shapes and edges").hint("`comp(f)` takes a face of a solid")
+                );
+            }
         };
         let changed = fit::fitted(&shape, geometry);
         changed.map(Pieces::Changed).ok_or_else(|| Problem::new("there is nothing to extrude"))
@@ -89,10 +93,4 @@ fn wall(points: &[DVec3], sweep: DVec3) -> Mesh {
         mesh.push_face([[first, first + 1, first + 2, first + 3]]);
     }
     mesh
-}
-
-/// A rectangle in the scope's ground plane: what operations without geometry of their own begin with.
-pub fn rectangle(shape: &Shape) -> Option<Polygon> {
-    let size = shape.scope.size;
-    Polygon::rectangle(DVec2::new(0.0, -size.z), DVec2::new(size.x, 0.0))
 }

@@ -97,9 +97,25 @@ impl Selectors {
     pub fn words() -> impl Iterator<Item = &'static str> {
         let usual = ["all", "side", "border", "inside"];
         let far = [
-            "object.front", "object.back", "object.left", "object.right", "object.top", "object.bottom", "object.side",
-            "street.front", "street.back", "street.left", "street.right", "street.side", "world.north", "world.south",
-            "world.east", "world.west", "world.up", "world.down", "world.side",
+            "object.front",
+            "object.back",
+            "object.left",
+            "object.right",
+            "object.top",
+            "object.bottom",
+            "object.side",
+            "street.front",
+            "street.back",
+            "street.left",
+            "street.right",
+            "street.side",
+            "world.north",
+            "world.south",
+            "world.east",
+            "world.west",
+            "world.up",
+            "world.down",
+            "world.side",
         ];
         SIDES.into_iter().chain(usual).chain(SLOPE_WORDS).chain(far)
     }

@@ -27,7 +27,8 @@ pub fn boxed(parent: &Shape, geometry: Geometry, origin: DVec3, size: DVec3) -> 
 /// On the ground y stays up and z points right of x; on other planes z is the plane's normal. `None` without area.
 pub fn aligned(parent: &Shape, plane: &Plane, area: &Area, along: DVec2) -> Option<Shape> {
     let along = along.try_normalize()?;
-    let turned: Area = area.polygons().iter().map(|p| p.mapped(|q| DVec2::new(along.dot(q), along.perp_dot(q)))).collect();
+    let turned: Area =
+        area.polygons().iter().map(|p| p.mapped(|q| DVec2::new(along.dot(q), along.perp_dot(q)))).collect();
     let (u, v) = plane.axes();
     let (x, across) = (u * along.x + v * along.y, v * along.x - u * along.y);
     let normal = plane.normal();
@@ -67,7 +68,9 @@ fn plane_bounds(plane: &Plane, area: &Area) -> Option<(DVec3, DVec3)> {
     }
     let bounds = area.bounds();
     match plane {
-        Plane::Ground => Some((DVec3::new(bounds.min.x, 0.0, -bounds.max.y), DVec3::new(bounds.max.x, 0.0, -bounds.min.y))),
+        Plane::Ground => {
+            Some((DVec3::new(bounds.min.x, 0.0, -bounds.max.y), DVec3::new(bounds.max.x, 0.0, -bounds.min.y)))
+        }
         Plane::Face => Some((bounds.min.extend(0.0), bounds.max.extend(0.0))),
         Plane::Free(_) => around(area.edges().map(|(a, _)| plane.at(a))),
     }

@@ -16,10 +16,12 @@ mod comp;
 mod distr;
 mod extrude;
 mod faces;
-mod instance;
+mod fit;
 mod insert;
+mod instance;
 mod label;
 mod offset;
+mod points;
 mod primitives;
 mod print;
 mod r;
@@ -30,11 +32,12 @@ mod set;
 mod setback;
 mod split;
 mod t;
+mod without;
 
 pub use faces::{Component, Selectors};
-pub use spec::{Attribute, BlockKind, Origin, Param, ParamKind, Parameter, Spec, Word};
+pub use spec::{AttributeName, BlockKind, Origin, Param, ParamKind, Parameter, Spec, Word};
 pub use split::Cut;
-pub use unbuilt::{Unbuilt, UNBUILT_FUNCTIONS, UNBUILT_OPERATIONS};
+pub use unbuilt::{UNBUILT_FUNCTIONS, UNBUILT_OPERATIONS, Unbuilt};
 
 use crate::element::Catalogue;
 use crate::seed::Seed;
@@ -49,6 +52,7 @@ pub static OPERATIONS: &[Operation] = &[
     comp::Comp::OPERATION,
     setback::Setback::OPERATION,
     offset::Offset::OPERATION,
+    without::Without::OPERATION,
     scatter::Scatter::OPERATION,
     distr::Distr::OPERATION,
     extrude::Extrude::OPERATION,
@@ -76,6 +80,8 @@ pub static OPERATIONS: &[Operation] = &[
 pub struct Operation {
     /// Its declaration.
     pub spec: &'static Spec,
+    /// It asks for what lies around the shape.
+    pub looks_around: bool,
     components: fn(&mut [Option<Value>], &Shape) -> Result<Vec<Component>, Problem>,
     apply: fn(&mut [Option<Value>], Shape, &Given) -> Result<Pieces, Problem>,
 }
@@ -151,6 +157,9 @@ pub struct Problem {
 
 /// What an operation does.
 pub trait Apply {
+    /// It asks for what lies around the shape, so the engine must keep it.
+    const LOOKS_AROUND: bool = false;
+
     /// What the selectors of the block choose among; nothing for operations without selectors.
     fn components(&self, _shape: &Shape) -> Result<Vec<Component>, Problem> {
         Ok(Vec::new())
@@ -170,6 +179,7 @@ impl Operation {
     const fn of<T: Apply + Decode>(spec: &'static Spec) -> Operation {
         Operation {
             spec,
+            looks_around: T::LOOKS_AROUND,
             components: |values, shape| T::decode(values)?.components(shape),
             apply: |values, shape, given| T::decode(values)?.apply(shape, given),
         }
@@ -212,6 +222,5 @@ pub fn find(name: &str) -> Option<&'static Operation> {
 /// A value as the type of its parameter.
 pub fn decode_value<T: Parameter>(parameter: &str, value: Value) -> Result<T, Problem> {
     let found = format!("{} `{value}`", value.type_name());
-    T::from_value(value)
-        .ok_or_else(|| Problem::new(format!("`{parameter}` takes {}, found {found}", T::KIND.words())))
+    T::from_value(value).ok_or_else(|| Problem::new(format!("`{parameter}` takes {}, found {found}", T::KIND.words())))
 }

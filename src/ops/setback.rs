@@ -47,7 +47,9 @@ impl Apply for Setback {
         let (plane, area) = flat(&shape)?;
         let distance = self.distance.0;
         if !(distance.is_finite() && distance >= 0.0) {
-            return Err(Problem::new(format!("a setback of {distance} m cannot be done")).hint("`offset` grows a shape"));
+            return Err(
+                Problem::new(format!("a setback of {distance} m cannot be done")).hint("`offset` grows a shape")
+            );
         }
         let (mut first, mut parts) = (0, Vec::new());
         let mut together: BTreeMap<u16, Vec<Area>> = BTreeMap::new();

@@ -200,14 +200,23 @@ impl Parameter for Word {
     }
 }
 
-/// The name of an attribute, resolved by the checker.
+/// An attribute, resolved by the checker.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Attribute(pub Arc<str>);
+pub enum AttributeName {
+    /// Of a rule file, by slot.
+    Slot(usize),
+    /// Of the shape, by name.
+    Shape(Arc<str>),
+}
 
-impl Parameter for Attribute {
+impl Parameter for AttributeName {
     const KIND: ParamKind = ParamKind::Attribute;
     fn from_value(value: Value) -> Option<Self> {
-        value.as_str().map(|name| Attribute(name.into()))
+        match value {
+            Value::Float(slot) => Some(AttributeName::Slot(slot as usize)),
+            Value::Text(name) | Value::Word(name) => Some(AttributeName::Shape(name)),
+            _ => None,
+        }
     }
 }
 

@@ -110,10 +110,10 @@ fn cut(shape: &Shape, axis: Axis, intervals: &[Interval]) -> Result<Vec<Geometry
             None => first_gets_all(shape, intervals),
         },
         Geometry::Prism(plane, area, height) => prism(shape, plane, area, *height, direction, intervals),
-        Geometry::Mesh(mesh) => {
-            intervals.iter().map(|i| solid(mesh.cut(direction, i.from, i.to))).collect()
+        Geometry::Mesh(mesh) => intervals.iter().map(|i| solid(mesh.cut(direction, i.from, i.to))).collect(),
+        Geometry::Element(_) => {
+            return Err(Problem::new("an inserted element cannot be split").hint("split the shape before `i`"));
         }
-        Geometry::Element(_) => return Err(Problem::new("an inserted element cannot be split").hint("split the shape before `i`")),
     })
 }
 

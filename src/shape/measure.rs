@@ -68,7 +68,7 @@ impl Shape {
             "right" => normal.x > 0.7,
             _ => normal.y.abs() <= 0.7,
         };
-        (0..mesh.faces.len()).filter(|face| looks(mesh.face_normal(*face))).map(|face| mesh.face_area(face)).sum()
+        mesh.faces().filter(|face| looks(face.normal())).map(|face| face.area()).sum()
     }
 
     /// Whether a flat shape is one rectangle, its angles within a tolerance in degrees.

@@ -6,12 +6,12 @@ mod geometry;
 mod measure;
 mod occluders;
 mod scope;
-mod shape;
+mod state;
 
 pub use derivation::{Derivation, LeafOf, Lot, Node, NodeId, Outcome, Print};
-pub use geometry::{Geometry, Placed, Plane};
 pub use footprint::{Extent, Footprint, on_plan};
+pub use geometry::{Geometry, Placed, Plane};
 pub use measure::Measure;
 pub use occluders::{Occluder, Occluders, Relation};
 pub use scope::{Axis, Frame, Scope};
-pub use shape::{Ordinals, Shape, Style};
+pub use state::{Ordinals, Shape, Style};

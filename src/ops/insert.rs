@@ -1,0 +1,117 @@
+//! `i`: inserts an element or a model by its id or file.
+
+use crate::element::{Found, NotFound};
+use crate::ops::declare::operation;
+use crate::ops::spec::choice;
+use crate::ops::{Apply, Given, Pieces, Problem, Word};
+use crate::shape::{Geometry, Placed, Shape};
+use glam::DVec3;
+use std::sync::Arc;
+
+operation! {
+    /// Inserts an element of the catalogue, by id or name, or the model of an entry, by its file.
+    ///
+    /// Where the scope has no size the element has its own; where it has one, the element fills it: a size of 0
+    /// along two axes scales evenly from the third. The papers write `I("id")`.
+    /// ```cga
+    /// Seat --> i("bench")
+    /// ```
+    "i" (CityEngine, None) => pub struct Insert {
+        /// The element's id, name or model.
+        path: Word,
+        /// Which axis of the model points up.
+        up: Up = Up::Y => "yUp",
+        /// How the model is fitted.
+        fit: Fit = Fit::Align => "alignSizeAndPosition",
+    }
+}
+
+choice! {
+    /// The axis of a model that points up.
+    pub enum Up {
+        /// y
+        Y = "yUp",
+        /// z
+        Z = "zUp",
+    }
+}
+
+choice! {
+    /// How a model is fitted to the scope.
+    pub enum Fit {
+        /// It fills the scope.
+        Align = "alignSizeAndPosition",
+        /// It keeps its size, and its own origin at the scope's.
+        Keep = "keepSizeAndPosition",
+        /// It keeps its size, and is put at the scope's origin.
+        KeepSize = "keepSizeAlignPosition",
+    }
+}
+
+impl Apply for Insert {
+    fn apply(self, shape: Shape, given: &Given) -> Result<Pieces, Problem> {
+        let found = given.catalogue.find(&self.path.0, "").or_else(|error| by_model(given, &self.path.0).ok_or(error));
+        let found = found.map_err(not_found)?;
+        let own = DVec3::from(found.variant.size);
+        let own = if self.up == Up::Z { DVec3::new(own.x, own.z, own.y) } else { own };
+        let keep = self.fit != Fit::Align;
+        Ok(Pieces::Changed(placed(shape, &found, 0, own, keep)))
+    }
+}
+
+/// The entry whose model is that file.
+fn by_model<'a>(given: &'a Given, path: &str) -> Option<Found<'a>> {
+    let name = path.rsplit('/').next().unwrap_or(path);
+    given.catalogue.entries().find_map(|entry| {
+        let variant = entry
+            .variants
+            .iter()
+            .find(|v| !v.model.is_empty() && (*v.model == *path || v.model.rsplit('/').next() == Some(name)))?;
+        Some(Found { entry, variant })
+    })
+}
+
+/// A missing element as a problem of the branch.
+pub(super) fn not_found(error: NotFound) -> Problem {
+    let problem = Problem::new(error.to_string());
+    match error.suggestion() {
+        Some(name) => problem.hint(format!("did you mean `{name}`?")),
+        None => problem.hint("`bosquet ops elements` lists the catalogue"),
+    }
+}
+
+/// The shape with an element of the given size in it.
+pub(super) fn placed(mut shape: Shape, found: &Found, appearance: u32, own: DVec3, keep: bool) -> Shape {
+    let scope = shape.scope.size;
+    let size = if keep { own } else { fitted(scope, own) };
+    let plant = found.variant.plant;
+    // A point or line is the middle of what stands on it.
+    let centre = |axis: usize| if scope[axis] < 1e-9 { size[axis] * 0.5 } else { 0.0 };
+    shape.scope.frame = shape.scope.frame.moved(DVec3::new(-centre(0), 0.0, -centre(2)));
+    shape.scope.size = size;
+    shape.geometry = Geometry::Element(Arc::new(Placed {
+        entry: found.entry.id.clone(),
+        kind: found.variant.name.clone(),
+        appearance,
+        age: plant.map_or(0.0, |figures| figures.age),
+        round: plant.is_some(),
+    }));
+    shape
+}
+
+/// The size in a scope: zeros are filled in (CityEngine's rules for `i`).
+fn fitted(scope: DVec3, own: DVec3) -> DVec3 {
+    let given: Vec<usize> = (0..3).filter(|axis| scope[*axis] > 1e-9).collect();
+    let ratio = |axis: usize| if own[axis] > 1e-9 { scope[axis] / own[axis] } else { 1.0 };
+    match given.as_slice() {
+        [] => own,
+        [one] => own * ratio(*one),
+        [one, two] => {
+            let mut size = scope;
+            let missing = 3 - one - two;
+            size[missing] = own[missing] * 0.5 * (ratio(*one) + ratio(*two));
+            size
+        }
+        _ => scope,
+    }
+}

@@ -1,0 +1,25 @@
+//! `label`: gives a shape a name that occlusion queries find it by.
+
+use crate::ops::declare::operation;
+use crate::ops::{Apply, Effect, Given, Pieces, Problem, Word};
+use crate::shape::Shape;
+use std::sync::Arc;
+
+operation! {
+    /// From here on `inside`, `overlaps` and `touches` find the shape, as it is now, under this name.
+    /// ```cga
+    /// Centre --> label("open") Gravel
+    /// Tree   --> case inside(intra, "open") : NIL else : I(lime, adult, rand(5))
+    /// ```
+    "label" (CityEngine, None) => pub struct Label {
+        /// The name.
+        name: Word,
+    }
+}
+
+impl Apply for Label {
+    fn apply(self, mut shape: Shape, _: &Given) -> Result<Pieces, Problem> {
+        Arc::make_mut(&mut shape.style).label = Some(self.name.0.clone());
+        Ok(Pieces::Told(shape, Effect::Label(self.name.0)))
+    }
+}

@@ -1,0 +1,23 @@
+//! `print`: a value for who writes the rule.
+
+use crate::ops::declare::operation;
+use crate::ops::{Apply, Effect, Given, Pieces, Problem};
+use crate::shape::Shape;
+use crate::value::Value;
+
+operation! {
+    /// Shows a value after the run, with the rule that printed it.
+    /// ```cga
+    /// Bed --> print(scope.sx) Flowers
+    /// ```
+    "print" (CityEngine, None) => pub struct PrintValue {
+        /// The value.
+        value: Value,
+    }
+}
+
+impl Apply for PrintValue {
+    fn apply(self, shape: Shape, _: &Given) -> Result<Pieces, Problem> {
+        Ok(Pieces::Told(shape, Effect::Print(self.value)))
+    }
+}

@@ -1,0 +1,25 @@
+//! `report`: a value for the report.
+
+use crate::ops::declare::operation;
+use crate::ops::{Apply, Effect, Given, Pieces, Problem, Word};
+use crate::shape::Shape;
+use crate::value::Value;
+
+operation! {
+    /// Adds a value to the report under a key: numbers are summed and counted, texts counted.
+    /// ```cga
+    /// Bed --> report("bed area", geometry.area) Flowers
+    /// ```
+    "report" (CityEngine, None) => pub struct ReportValue {
+        /// The key.
+        key: Word,
+        /// The value.
+        value: Value,
+    }
+}
+
+impl Apply for ReportValue {
+    fn apply(self, shape: Shape, _: &Given) -> Result<Pieces, Problem> {
+        Ok(Pieces::Told(shape, Effect::Report(self.key.0, self.value)))
+    }
+}

@@ -1,0 +1,58 @@
+//! `set`: changes an attribute of a shape and its successors.
+
+use crate::ops::declare::operation;
+use crate::ops::{Apply, AttributeName, Given, Pieces, Problem};
+use crate::seed::Seed;
+use crate::shape::Shape;
+use crate::value::Value;
+use std::sync::Arc;
+
+operation! {
+    /// Sets an attribute of the rule file, or one of the shape, for this shape and its successors.
+    ///
+    /// `set(material.name, "gravel")` says what a leaf is made of: a ground cover of the catalogue (`bosquet ops
+    /// covers` lists them), or a word of your own.
+    /// ```cga
+    /// Path --> set(material.name, "gravel") Walk.
+    /// ```
+    "set" (CityEngine, None) => pub struct Set {
+        /// The attribute.
+        attribute: AttributeName,
+        /// Its new value.
+        value: Value,
+    }
+}
+
+impl Apply for Set {
+    fn apply(self, mut shape: Shape, _: &Given) -> Result<Pieces, Problem> {
+        match &self.attribute {
+            AttributeName::Slot(slot) => match Arc::make_mut(&mut shape.attributes).get_mut(*slot) {
+                Some(place) => *place = self.value,
+                None => return Err(Problem::new("there is no such attribute")),
+            },
+            AttributeName::Shape(name) => built_in(&mut shape, name, &self.value)?,
+        }
+        Ok(Pieces::Changed(shape))
+    }
+}
+
+fn built_in(shape: &mut Shape, name: &str, value: &Value) -> Result<(), Problem> {
+    let number = || value.as_float().ok_or_else(|| Problem::new(format!("`{name}` takes a number, found `{value}`")));
+    if name == "seedian" {
+        shape.seed = Seed(0).child(number()?.to_bits());
+        return Ok(());
+    }
+    let style = Arc::make_mut(&mut shape.style);
+    match name {
+        "material.name" => style.material = Some(value.to_string().into()),
+        "material.color.rgb" => style.color = Some(super::color::parse(&value.to_string())?),
+        _ => {
+            let channel = ["material.color.r", "material.color.g", "material.color.b", "material.opacity"];
+            let Some(index) = channel.iter().position(|c| *c == name) else {
+                return Err(Problem::new(format!("`{name}` cannot be set")));
+            };
+            style.color.get_or_insert([1.0; 4])[index] = number()?.clamp(0.0, 1.0) as f32;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,50 @@
+//! `without`: what is left of a shape when others are taken off.
+
+use crate::geometry;
+use crate::ops::declare::operation;
+use crate::ops::{Apply, Given, Pieces, Problem, Word, fit};
+use crate::shape::{Extent, Geometry, Shape};
+use crate::unit::Metres;
+use glam::{DAffine2, DVec2, DVec3};
+
+operation! {
+    /// Takes everything under a label off a level shape: features of the lot under the word of their kind
+    /// (`"building"`, `"water"`, `"driveway"` …) and labelled shapes derived before, with a margin.
+    ///
+    /// So lawns end at the pond and their area is right. What is taken off wholly is deleted.
+    /// ```cga
+    /// Lot --> without("building", 1) without("driveway") Garden
+    /// ```
+    "without" (Added, None) => pub struct Without {
+        /// The label.
+        label: Word,
+        /// How far around it is taken off too (metres).
+        margin: Metres = Metres(0.0) => "0",
+    }
+}
+
+impl Apply for Without {
+    const LOOKS_AROUND: bool = true;
+
+    fn apply(self, shape: Shape, given: &Given) -> Result<Pieces, Problem> {
+        let Geometry::Flat(plane, area) = &shape.geometry else {
+            return Err(Problem::new("`without` takes flat shapes"));
+        };
+        let footprint = shape.footprint();
+        let Extent::Area(on_plan) = &footprint.extent else {
+            return Err(Problem::new("`without` takes level shapes"));
+        };
+        let taken = given.intra.areas(on_plan.bounds(), &self.label.0, self.margin.0.max(0.0));
+        if taken.is_empty() {
+            return Ok(Pieces::Changed(shape));
+        }
+        let frame = shape.scope.frame;
+        // From the plan straight down onto the shape's plane: the shape is level, so the map is affine.
+        let local = |p: DVec2| plane.foot(frame.to_local(DVec3::new(p.x, frame.origin.y, -p.y)));
+        let origin = local(DVec2::ZERO);
+        let map = DAffine2::from_cols(local(DVec2::X) - origin, local(DVec2::Y) - origin, origin);
+        let left = geometry::difference(area, &geometry::union_all(&taken).transformed(&map));
+        let empty = Shape { geometry: Geometry::Empty, ..shape.clone() };
+        Ok(Pieces::Changed(fit::fitted(&shape, Geometry::Flat(plane.clone(), left)).unwrap_or(empty)))
+    }
+}
