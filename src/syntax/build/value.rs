@@ -78,12 +78,13 @@ impl<'t> Builder<'t> {
     fn primary(&self, pair: Pair<'t>) -> Option<Expr> {
         let span = self.span(&pair);
         let kind = match pair.as_rule() {
-            Rule::number => ExprKind::Number(self.number(pair.as_str(), span)),
-            Rule::share => {
-                let digits = pair.as_str().trim_end_matches('r');
-                let number = Expr { kind: ExprKind::Number(self.number(digits, span)), span };
-                ExprKind::Sized(SizeMark::Floating, Box::new(number))
-            }
+            Rule::number => match pair.as_str().strip_suffix('r') {
+                None => ExprKind::Number(self.number(pair.as_str(), span)),
+                Some(digits) => {
+                    let number = Expr { kind: ExprKind::Number(self.number(digits, span)), span };
+                    ExprKind::Sized(SizeMark::Floating, Box::new(number))
+                }
+            },
             Rule::text => ExprKind::Text(unescaped(pair.as_str())),
             Rule::name => match pair.as_str() {
                 "true" => ExprKind::Bool(true),

@@ -43,7 +43,7 @@ const OPERATION: &str = "an operation or symbol";
 /// A rule of the grammar as people would say it; `None` for what would only be noise.
 fn phrase(rule: Rule) -> Option<&'static str> {
     Some(match rule {
-        Rule::number | Rule::share | Rule::paren | Rule::array | Rule::prefix | Rule::value | Rule::condition => {
+        Rule::number | Rule::paren | Rule::array | Rule::prefix | Rule::value | Rule::condition => {
             "a value"
         }
         Rule::element | Rule::row | Rule::probability | Rule::key => VALUE,
@@ -61,7 +61,6 @@ fn phrase(rule: Rule) -> Option<&'static str> {
         Rule::sum | Rule::product | Rule::comparison | Rule::and | Rule::or => "an operator",
         Rule::percentage => "a percentage",
         Rule::else_word => "`else`",
-        Rule::case_word => "`case`",
         _ => return None,
     })
 }
