@@ -334,6 +334,7 @@ impl Engine<'_> {
             seed,
             around: &current.around,
             intra: &self.intra,
+            inter: &self.inter,
             catalogue: self.options.catalogue,
             world: self.options.world,
             most: self.options.limits.children,
