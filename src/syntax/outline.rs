@@ -349,7 +349,7 @@ impl Scan<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::token::tokens;
+    use crate::syntax::token::tokens;
     use super::*;
 
     fn cut(text: &str) -> Vec<(&str, PieceKind)> {

@@ -1,7 +1,7 @@
 //! Blocks: alternatives between bars, with and without heads.
 
-use super::super::ast::{Block, Call, Content, Entry, Head, Op, Separator, Spelling};
-use super::super::grammar::{Pair, Rule};
+use crate::syntax::ast::{Block, Call, Content, Entry, Head, Op, Separator, Spelling};
+use crate::syntax::grammar::{Pair, Rule};
 use super::value::separator;
 use super::{Builder, next_if};
 use crate::diag::Diagnostic;

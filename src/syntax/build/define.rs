@@ -1,10 +1,10 @@
 //! Annotations and definitions.
 
-use super::super::ast::{
+use crate::syntax::ast::{
     Annotation, Expr, ExprKind, Function, FunctionKind, Import, ItemKind, Name, Override, Rule as RuleAst, RuleMark,
     Spelling, Text,
 };
-use super::super::grammar::{Pair, Rule};
+use crate::syntax::grammar::{Pair, Rule};
 use super::{Builder, next_if};
 use crate::diag::{Diagnostic, Span};
 use pest::iterators::Pairs;

@@ -1,7 +1,7 @@
 //! Values, expressions, arguments.
 
-use super::super::ast::{Arg, BinaryOp, Expr, ExprKind, Name, Separator, SizeMark, UnaryOp};
-use super::super::grammar::{Pair, Rule};
+use crate::syntax::ast::{Arg, BinaryOp, Expr, ExprKind, Name, Separator, SizeMark, UnaryOp};
+use crate::syntax::grammar::{Pair, Rule};
 use super::{Builder, next_if, unescaped};
 use crate::diag::{Diagnostic, Span};
 use pest::iterators::Pairs;

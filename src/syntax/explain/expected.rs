@@ -1,6 +1,6 @@
 //! The last resort: what pest would have taken, as a few human phrases.
 
-use super::super::grammar::Rule;
+use crate::syntax::grammar::Rule;
 use super::Broken;
 use crate::diag::Diagnostic;
 

@@ -1,7 +1,7 @@
 //! Habits from other languages, and slips of the pen: what was written, and what would do.
 
-use super::super::outline::PieceKind;
-use super::super::token::{Kind, NONE, Token};
+use crate::syntax::outline::PieceKind;
+use crate::syntax::token::{Kind, NONE, Token};
 use super::Broken;
 use crate::diag::Diagnostic;
 
