@@ -22,7 +22,7 @@ pub struct ReportInput<'a> {
     pub summary: Summary,
     /// How often each rule was applied.
     pub counts_by_rule: BTreeMap<String, usize>,
-    /// How many leaves carry each symbol.
+    /// How many shapes carry each symbol, leaves and inner ones.
     pub counts_by_symbol: BTreeMap<String, usize>,
     /// What the rules reported.
     #[serde(serialize_with = "reports")]

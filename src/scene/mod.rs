@@ -4,7 +4,10 @@
 //! No rules, scopes or attributes are left: a plant carries the *name* of its rule. What stands in a scene:
 //! covers (flat ground surfaces), solids (things with height), lines, plants, objects.
 
+mod resolve;
+
 pub use crate::element::{Material, PlantSymbol, Texture};
+pub use resolve::resolve;
 
 use crate::geometry::{Area, Mesh};
 use crate::layout::Georeference;

@@ -8,11 +8,14 @@ use super::token::{Kind, NONE, Token};
 /// How high the tree of one definition may be.
 pub(super) const MAX_HEIGHT: usize = 512;
 
+/// What a choice inside a choice counts: it takes more room than an operator when it is parsed.
+const CHOICE: usize = 2;
+
 /// The first token at which the tree may grow higher than [`MAX_HEIGHT`]. Cost: linear.
 ///
 /// The estimate is never too low: operators count as if all hung below each other, up to the next comma or colon.
 pub(super) fn too_high(tokens: &[Token], first: usize) -> Option<usize> {
-    if tokens.len() < MAX_HEIGHT {
+    if tokens.len() < MAX_HEIGHT / CHOICE {
         return None;
     }
     let mut levels = vec![Level::default()];
@@ -27,8 +30,8 @@ pub(super) fn too_high(tokens: &[Token], first: usize) -> Option<usize> {
             Kind::Percent if !kind_is(tokens, index + 1, Kind::Colon) => top(&mut levels).chain += 1,
             Kind::Comma | Kind::Semicolon | Kind::Bar => top(&mut levels).next(),
             Kind::Colon | Kind::Joined => top(&mut levels).rest(),
-            Kind::Case if index > 0 && kind_is(tokens, index - 1, Kind::Colon) => top(&mut levels).choices += 1,
-            Kind::Percent if chosen_within(tokens, index, first) => top(&mut levels).choices += 1,
+            Kind::Case if index > 0 && kind_is(tokens, index - 1, Kind::Colon) => top(&mut levels).choices += CHOICE,
+            Kind::Percent if chosen_within(tokens, index, first) => top(&mut levels).choices += CHOICE,
             _ => {}
         }
         if top(&mut levels).height() > MAX_HEIGHT {
@@ -43,7 +46,7 @@ pub(super) fn too_high(tokens: &[Token], first: usize) -> Option<usize> {
 struct Level {
     /// Operators since the last comma or colon.
     chain: usize,
-    /// Choices directly inside choices since the last comma.
+    /// Choices directly inside choices since the last comma, weighed.
     choices: usize,
     /// The highest tree in brackets since the last comma or colon.
     inner: usize,

@@ -43,8 +43,8 @@ pub(super) struct Piece {
     pub too_deep: Option<usize>,
 }
 
-/// How deep brackets may nest.
-pub(super) const MAX_DEPTH: usize = 256;
+/// How deep brackets may nest: so that parsing and building fit into a stack of one megabyte.
+pub(super) const MAX_DEPTH: usize = 128;
 
 /// Cuts a file into pieces and links the brackets to their partners. Cost: linear.
 pub(super) fn outline(text: &str, tokens: &mut [Token]) -> Vec<Piece> {

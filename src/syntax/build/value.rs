@@ -25,41 +25,36 @@ impl<'t> Builder<'t> {
     /// A value: an expression or a choice, with or without a size mark.
     pub(super) fn value(&self, pair: Pair<'t>) -> Option<Expr> {
         let mut inner = pair.into_inner();
-        let size = next_if(&mut inner, Rule::size);
-        let value = match inner.peek()?.as_rule() {
-            Rule::case_values => self.case_values(inner.next()?)?,
-            _ => {
-                let chances = inner.clone().next_back().filter(|last| last.as_rule() == Rule::chance_values);
-                if chances.is_some() {
-                    inner.next_back();
-                }
-                let first = self.parts(inner)?;
-                match chances {
-                    Some(chances) => self.chance_values(first, chances)?,
-                    None => first,
-                }
+        let size = self.size(&mut inner);
+        let value = match inner.clone().next_back()?.as_rule() {
+            Rule::case_values => self.case_values(inner.next_back()?)?,
+            Rule::chance_values => {
+                let chances = inner.next_back()?;
+                self.chance_values(self.parts(inner)?, chances)?
             }
+            _ => self.parts(inner)?,
         };
-        Some(self.sized(size, value))
+        Some(sized(size, value))
     }
 
     /// What stands before a separator in a block.
     pub(super) fn key(&self, pair: Pair<'t>) -> Option<Expr> {
         let mut inner = pair.into_inner();
-        let size = next_if(&mut inner, Rule::size);
-        let value = self.parts(inner)?;
-        Some(self.sized(size, value))
+        let size = self.size(&mut inner);
+        Some(sized(size, self.parts(inner)?))
+    }
+
+    /// The mark at the very start, which belongs to the whole.
+    fn size(&self, inner: &mut Pairs<'t, Rule>) -> Option<(SizeMark, Span)> {
+        let first = inner.peek().filter(|first| matches!(first.as_rule(), Rule::prefix | Rule::size))?;
+        let mark = size_mark(first.as_str())?;
+        inner.next();
+        Some((mark, self.span(&first)))
     }
 
     /// A node that holds one expression.
     pub(super) fn expression(&self, pair: Pair<'t>) -> Option<Expr> {
         self.parts(pair.into_inner())
-    }
-
-    fn sized(&self, size: Option<Pair<'t>>, value: Expr) -> Expr {
-        let Some(size) = size else { return value };
-        let span = self.span(&size).to(value.span);
-        Expr { kind: ExprKind::Sized(size_mark(size.as_str()), Box::new(value)), span }
     }
 
     /// Operands and operators in a row. Never empty, by the grammar.
@@ -78,12 +73,13 @@ impl<'t> Builder<'t> {
     fn primary(&self, pair: Pair<'t>) -> Option<Expr> {
         let span = self.span(&pair);
         let kind = match pair.as_rule() {
-            Rule::number => ExprKind::Number(self.number(pair.as_str(), span)),
-            Rule::share => {
-                let digits = pair.as_str().trim_end_matches('r');
-                let number = Expr { kind: ExprKind::Number(self.number(digits, span)), span };
-                ExprKind::Sized(SizeMark::Floating, Box::new(number))
-            }
+            Rule::number => match pair.as_str().strip_suffix('r') {
+                None => ExprKind::Number(self.number(pair.as_str(), span)),
+                Some(digits) => {
+                    let number = Expr { kind: ExprKind::Number(self.number(digits, span)), span };
+                    ExprKind::Sized(SizeMark::Floating, Box::new(number))
+                }
+            },
             Rule::text => ExprKind::Text(unescaped(pair.as_str())),
             Rule::name => match pair.as_str() {
                 "true" => ExprKind::Bool(true),
@@ -120,7 +116,7 @@ impl<'t> Builder<'t> {
             "-" => unary(UnaryOp::Minus, operand),
             "+" => unary(UnaryOp::Plus, operand),
             "!" | ".!" => unary(UnaryOp::Not, operand),
-            mark => ExprKind::Sized(size_mark(mark), Box::new(operand)),
+            mark => ExprKind::Sized(size_mark(mark)?, Box::new(operand)),
         };
         Some(Expr { kind, span })
     }
@@ -248,8 +244,19 @@ pub(super) fn separator(pair: &Pair<'_>) -> Separator {
     }
 }
 
-fn size_mark(mark: &str) -> SizeMark {
-    if mark == "'" { SizeMark::Relative } else { SizeMark::Floating }
+fn sized(size: Option<(SizeMark, Span)>, value: Expr) -> Expr {
+    match size {
+        Some((mark, span)) => Expr { span: span.to(value.span), kind: ExprKind::Sized(mark, Box::new(value)) },
+        None => value,
+    }
+}
+
+fn size_mark(sign: &str) -> Option<SizeMark> {
+    match sign {
+        "'" => Some(SizeMark::Relative),
+        "~" => Some(SizeMark::Floating),
+        _ => None,
+    }
 }
 
 fn binary_op(sign: &str) -> Option<BinaryOp> {

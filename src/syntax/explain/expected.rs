@@ -43,9 +43,7 @@ const OPERATION: &str = "an operation or symbol";
 /// A rule of the grammar as people would say it; `None` for what would only be noise.
 fn phrase(rule: Rule) -> Option<&'static str> {
     Some(match rule {
-        Rule::number | Rule::share | Rule::paren | Rule::array | Rule::prefix | Rule::value | Rule::condition => {
-            "a value"
-        }
+        Rule::number | Rule::paren | Rule::array | Rule::prefix | Rule::value | Rule::condition => "a value",
         Rule::element | Rule::row | Rule::probability | Rule::key => VALUE,
         Rule::case_values | Rule::chance => VALUE,
         Rule::step | Rule::push | Rule::inline | Rule::perimeter | Rule::perimeter_name => OPERATION,
@@ -61,7 +59,6 @@ fn phrase(rule: Rule) -> Option<&'static str> {
         Rule::sum | Rule::product | Rule::comparison | Rule::and | Rule::or => "an operator",
         Rule::percentage => "a percentage",
         Rule::else_word => "`else`",
-        Rule::case_word => "`case`",
         _ => return None,
     })
 }

@@ -30,7 +30,7 @@ pub(super) struct Broken<'t> {
 }
 
 /// Every annotation there is: CityEngine's and ours.
-const ANNOTATIONS: [&str; 26] = [
+const ANNOTATIONS: [&str; 25] = [
     "Angle",
     "Color",
     "Context",
@@ -54,7 +54,6 @@ const ANNOTATIONS: [&str; 26] = [
     "Percent",
     "Range",
     "RuleFileDescription",
-    "Script",
     "StartRule",
     "Zone",
 ];

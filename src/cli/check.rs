@@ -1,0 +1,77 @@
+//! `bosquet check`: rule files, for people and for machines.
+
+use crate::cli::{Ended, disk::Disk, show};
+use bosquet::diag::{Diagnostic, Place};
+use bosquet::syntax::Source;
+use serde_json::json;
+use std::path::Path;
+
+/// Arguments of `bosquet check`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Rule files
+    #[arg(required = true, value_name = "FILE.cga")]
+    files: Vec<String>,
+    /// `text` for people, `json` for machines
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+    /// Imports may lead out of the folder of the rule file
+    #[arg(long)]
+    allow_outside: bool,
+    /// Bytes of one file that is read
+    #[arg(long, value_name = "BYTES", default_value_t = 1 << 30)]
+    limit_file: u64,
+}
+
+#[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
+enum Format {
+    Text,
+    Json,
+}
+
+/// Checks every file.
+pub fn run(arguments: &Arguments) -> Ended {
+    let mut records = Vec::new();
+    let (mut errors, mut rules, mut found_any) = (false, 0, false);
+    for file in &arguments.files {
+        let folder = Path::new(file).parent().unwrap_or(Path::new("."));
+        let world = Disk::new(folder, arguments.allow_outside, arguments.limit_file);
+        let (program, found) = bosquet::check::check(&world, file);
+        errors |= found.iter().any(Diagnostic::is_error);
+        found_any |= !found.is_empty();
+        rules += program.rules.len();
+        match arguments.format {
+            Format::Text => show::diagnostics(&found, &program.sources),
+            Format::Json => records.extend(found.iter().map(|d| record(d, &program.sources, file))),
+        }
+    }
+    if arguments.format == Format::Json {
+        println!("{}", serde_json::to_string_pretty(&records).unwrap_or_default());
+    } else if !found_any {
+        let files = bosquet::text::counted(arguments.files.len(), "file");
+        eprintln!("{files}, {}: nothing to report", bosquet::text::counted(rules, "rule"));
+    }
+    if errors { Ended::Wrong } else { Ended::Well }
+}
+
+/// Byte offsets into the original file, line and column from 1, the column in characters.
+fn record(diagnostic: &Diagnostic, sources: &[Source], file: &str) -> serde_json::Value {
+    let (path, start, end, line, column) = match (&diagnostic.place, show::source(diagnostic, sources)) {
+        (Place::Rule(span), Some(source)) => {
+            let (line, column) = source.line_column(span.start);
+            (source.path(), source.original(span.start), source.original(span.end), line, column)
+        }
+        _ => (file, 0, 0, 1, 1),
+    };
+    json!({
+        "severity": diagnostic.severity.word(),
+        "code": diagnostic.code,
+        "message": diagnostic.message,
+        "file": path,
+        "start": start,
+        "end": end,
+        "line": line,
+        "column": column,
+        "hints": diagnostic.hints,
+    })
+}

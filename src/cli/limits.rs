@@ -1,0 +1,40 @@
+//! The limits of a run as flags.
+
+use bosquet::derive::Limits;
+use std::time::Duration;
+
+/// Where a run stops by itself.
+#[derive(clap::Args, Clone, Copy)]
+pub struct LimitArguments {
+    /// Rules inside rules
+    #[arg(long, value_name = "N", default_value_t = 1_000, help_heading = "Limits")]
+    limit_depth: usize,
+    /// Functions inside functions
+    #[arg(long, value_name = "N", default_value_t = 200, help_heading = "Limits")]
+    limit_calls: usize,
+    /// Shapes of one lot
+    #[arg(long, value_name = "N", default_value_t = 5_000_000, help_heading = "Limits")]
+    limit_shapes: usize,
+    /// Children of one operation
+    #[arg(long, value_name = "N", default_value_t = 2_000_000, help_heading = "Limits")]
+    limit_children: usize,
+    /// Seconds for one lot
+    #[arg(long, value_name = "S", default_value_t = 600, help_heading = "Limits")]
+    limit_time: u64,
+    /// Bytes of one file that is read
+    #[arg(long, value_name = "BYTES", default_value_t = 1 << 30, help_heading = "Limits")]
+    pub limit_file: u64,
+}
+
+impl LimitArguments {
+    /// The limits of a derivation.
+    pub fn limits(&self) -> Limits {
+        Limits {
+            depth: self.limit_depth,
+            calls: self.limit_calls,
+            shapes: self.limit_shapes,
+            children: self.limit_children,
+            time: Duration::from_secs(self.limit_time),
+        }
+    }
+}
