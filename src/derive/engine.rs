@@ -338,17 +338,15 @@ impl Engine<'_> {
             world: self.options.world,
             most: self.options.limits.children,
         };
-        let pieces = application.operation.apply(&mut values, current.shape.clone(), &given);
+        let pieces = application.operation.apply(&mut values, &mut current.shape, &given);
         match pieces.map_err(|p| self.problem(application.span, p, turn))? {
-            Pieces::Changed(shape) => current.shape = shape,
-            Pieces::Told(shape, effect) => {
-                current.shape = shape;
-                self.effect(effect, turn, current);
-            }
-            Pieces::Parts(parts, kept) => {
-                current.used |= kept.is_none();
+            Pieces::Changed => {}
+            Pieces::Told(effect) => self.effect(effect, turn, current),
+            Pieces::Parts(parts) => {
+                current.used = true;
                 self.parts(application, parts, seed, turn)?;
             }
+            Pieces::Beside(parts) => self.parts(application, parts, seed, turn)?,
         }
         Ok(())
     }

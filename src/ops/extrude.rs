@@ -41,13 +41,13 @@ choice! {
 }
 
 impl Apply for Extrude {
-    fn apply(self, shape: Shape, _: &Given) -> Result<Pieces, Problem> {
+    fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
         let height = self.height.0;
         if !height.is_finite() {
             return Err(Problem::new(format!("an extrusion of {height} m cannot be done")));
         }
         if height == 0.0 {
-            return Ok(Pieces::Changed(shape));
+            return Ok(Pieces::Changed);
         }
         let up = shape.scope.frame.rotation.inverse() * DVec3::Y;
         let geometry = match &shape.geometry {
@@ -56,15 +56,15 @@ impl Apply for Extrude {
                 None => Geometry::Mesh(Arc::new(Mesh::prism(area, 0.0, height, |p, h| plane.at(p) + up * h))),
             },
             Geometry::Path(points) => Geometry::Mesh(Arc::new(wall(points, up * height))),
-            Geometry::Empty => return Ok(Pieces::Changed(shape)),
+            Geometry::Empty => return Ok(Pieces::Changed),
             _ => {
                 return Err(
                     Problem::new("`extrude` takes flat shapes and edges").hint("`comp(f)` takes a face of a solid")
                 );
             }
         };
-        let changed = fit::fitted(&shape, geometry);
-        changed.map(Pieces::Changed).ok_or_else(|| Problem::new("there is nothing to extrude"))
+        fit::refit(shape, geometry);
+        Ok(Pieces::Changed)
     }
 }
 
