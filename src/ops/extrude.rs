@@ -50,12 +50,12 @@ impl Apply for Extrude {
             return Ok(Pieces::Changed);
         }
         let up = shape.scope.frame.rotation.inverse() * DVec3::Y;
-        let geometry = match &shape.geometry {
-            Geometry::Flat(plane, area) => match self.sweep(plane, up) {
-                Some(_) => Geometry::Prism(plane.clone(), area.clone(), height * self.sign(plane, up)),
-                None => Geometry::Mesh(Arc::new(Mesh::prism(area, 0.0, height, |p, h| plane.at(p) + up * h))),
+        let geometry = match std::mem::replace(&mut shape.geometry, Geometry::Empty) {
+            Geometry::Flat(plane, area) => match self.sweep(&plane, up) {
+                Some(sign) => Geometry::Prism(plane, area, height * sign),
+                None => Geometry::Mesh(Arc::new(Mesh::prism(&area, 0.0, height, |p, h| plane.at(p) + up * h))),
             },
-            Geometry::Path(points) => Geometry::Mesh(Arc::new(wall(points, up * height))),
+            Geometry::Path(points) => Geometry::Mesh(Arc::new(wall(&points, up * height))),
             Geometry::Empty => return Ok(Pieces::Changed),
             _ => {
                 return Err(
@@ -69,18 +69,13 @@ impl Apply for Extrude {
 }
 
 impl Extrude {
-    /// Whether the sweep runs along the plane's normal.
-    fn sweep(&self, plane: &Plane, up: DVec3) -> Option<()> {
-        let along = matches!(self.direction, Direction::Normal | Direction::Vertices);
-        (along || plane.normal().dot(up).abs() > 1.0 - 1e-9).then_some(())
-    }
-
-    /// Up may be against the normal.
-    fn sign(&self, plane: &Plane, up: DVec3) -> f64 {
-        match self.direction {
-            Direction::Normal | Direction::Vertices => 1.0,
-            _ => plane.normal().dot(up).signum(),
+    /// 1 where the sweep runs along the plane's normal, -1 where it runs against it; nothing where it runs askew.
+    fn sweep(&self, plane: &Plane, up: DVec3) -> Option<f64> {
+        if matches!(self.direction, Direction::Normal | Direction::Vertices) {
+            return Some(1.0);
         }
+        let along = plane.normal().dot(up);
+        (along.abs() > 1.0 - 1e-9).then_some(along.signum())
     }
 }
 

@@ -79,13 +79,14 @@ impl Apply for Split {
         let total = intervals.len() as u32;
         let pieces = cut(shape, axis, &intervals)?;
         let mut parts = Vec::with_capacity(pieces.len());
-        for (index, (interval, geometry)) in intervals.iter().zip(pieces).enumerate() {
+        for (index, (interval, geometry)) in (0..).zip(intervals.iter().zip(pieces)) {
             let child = match self.scope {
+                _ if geometry == Geometry::Empty => None,
                 Adjust::Adjust => fit::fitted(shape, geometry),
                 Adjust::NoAdjust => Some(unadjusted(shape, axis, interval, geometry)),
             };
-            if let Some(mut child) = child.filter(|c| c.geometry != Geometry::Empty) {
-                child.ordinals.split = (index as u32, total);
+            if let Some(mut child) = child {
+                child.ordinals.split = (index, total);
                 parts.push(Part { entry: interval.entry, shape: child });
             }
         }
