@@ -11,7 +11,7 @@ use crate::diag::{self, Diagnostic, Span};
 use crate::functions::{Initial, Surroundings};
 use crate::layout::Layout;
 use crate::ops::{Effect, Given, Part, Pieces, Problem};
-use crate::seed::Random;
+use crate::seed::{Random, Seed};
 use crate::shape::{LeafOf, Node, NodeId, Occluder, Occluders, Outcome, Print, Scope, Shape};
 use crate::value::Value;
 use smallvec::SmallVec;
@@ -21,7 +21,8 @@ use std::time::Instant;
 /// Between two looks at the clock.
 const CLOCK: usize = 1024;
 
-type Args = SmallVec<[Value; 2]>;
+/// Arguments of a rule; most have none, and waiting shapes shall be small.
+type Args = Box<[Value]>;
 
 /// Derives one region.
 pub(super) fn lot(
@@ -50,7 +51,7 @@ pub(super) fn lot(
         begun: Instant::now(),
     };
     engine.attributes(&mut shape, region);
-    engine.queue.push(Task { shape, parent: NodeId(0), symbol, rule: Some(rule), args: Args::new(), depth: 0 });
+    engine.queue.push(Task { shape, parent: NodeId(0), symbol, rule: Some(rule), args: Args::default(), depth: 0 });
     engine.run();
     engine.outcome
 }
@@ -91,7 +92,6 @@ struct Turn {
     node: NodeId,
     args: Args,
     depth: u32,
-    successors: Vec<Task>,
 }
 
 /// The current shape and what became of it so far.
@@ -106,12 +106,22 @@ struct Current {
     used: bool,
     /// `NIL`.
     deleted: bool,
+    /// The last successor: it takes the shape over where nothing follows, so that most shapes are never copied.
+    heir: Option<Heir>,
+}
+
+/// A successor that waits for its shape.
+struct Heir {
+    symbol: u32,
+    rule: Option<u32>,
+    args: Args,
+    seed: Seed,
 }
 
 impl Current {
     fn new(shape: Shape) -> Current {
         let random = shape.seed.draw("rand");
-        Current { around: shape.scope, shape, random, count: 0, used: false, deleted: false }
+        Current { around: shape.scope, shape, random, count: 0, used: false, deleted: false, heir: None }
     }
 }
 
@@ -188,26 +198,33 @@ impl Engine<'_> {
             self.leaf(node, task.shape);
             return Ok(());
         };
-        let mut turn = Turn { node, args: task.args, depth: task.depth, successors: Vec::new() };
-        let program = self.program;
-        self.body(&program.rules[rule as usize].body, &mut turn, Current::new(task.shape))?;
-        self.queue.extend(turn.successors.into_iter().rev());
-        Ok(())
+        let turn = Turn { node, args: task.args, depth: task.depth };
+        let (program, waiting) = (self.program, self.queue.len());
+        let done = self.body(&program.rules[rule as usize].body, &turn, Current::new(task.shape));
+        if done.is_err() {
+            self.queue.truncate(waiting);
+        }
+        // The first successor is the next to be derived.
+        self.queue[waiting..].reverse();
+        done
     }
 
     /// Runs a body on a shape of its own; what names no successor is built.
-    fn body(&mut self, body: &Body, turn: &mut Turn, mut current: Current) -> Result<(), Stop> {
+    fn body(&mut self, body: &Body, turn: &Turn, mut current: Current) -> Result<(), Stop> {
         self.steps(body, turn, &mut current)?;
-        if !current.used && !current.deleted {
-            self.leaf(turn.node, current.shape);
+        match current.heir {
+            Some(heir) => self.succeed(heir, current.shape, turn),
+            None if !current.used && !current.deleted => self.leaf(turn.node, current.shape),
+            None => {}
         }
         Ok(())
     }
 
-    fn steps(&mut self, body: &Body, turn: &mut Turn, current: &mut Current) -> Result<(), Stop> {
+    fn steps(&mut self, body: &Body, turn: &Turn, current: &mut Current) -> Result<(), Stop> {
         match body {
             Body::Steps(steps) => {
                 for step in steps {
+                    self.settle(turn, current);
                     self.step(step, turn, current)?;
                     if current.deleted {
                         break;
@@ -279,7 +296,7 @@ impl Engine<'_> {
         Ok(current.random.choose(&weights).map(|index| open[index].0))
     }
 
-    fn step(&mut self, step: &Step, turn: &mut Turn, current: &mut Current) -> Result<(), Stop> {
+    fn step(&mut self, step: &Step, turn: &Turn, current: &mut Current) -> Result<(), Stop> {
         match step {
             Step::Delete => current.deleted = true,
             Step::Successor(successor) => self.successor(successor, turn, current)?,
@@ -291,27 +308,41 @@ impl Engine<'_> {
                 current.count += 1;
                 self.steps(body, turn, &mut inner)?;
                 current.used |= inner.used;
+                if let Some(heir) = inner.heir {
+                    self.succeed(heir, inner.shape, turn);
+                }
             }
         }
         Ok(())
     }
 
-    fn successor(&mut self, successor: &Successor, turn: &mut Turn, current: &mut Current) -> Result<(), Stop> {
-        let mut args = Args::new();
+    fn successor(&mut self, successor: &Successor, turn: &Turn, current: &mut Current) -> Result<(), Stop> {
+        let mut args = Vec::with_capacity(successor.args.len());
         for arg in &successor.args {
             let value = self.frame(turn, current).with(|n, a| evaluate::evaluate(arg, n, a));
             args.push(value.map_err(|f| self.failed(f, turn))?);
         }
-        let mut shape = current.shape.clone();
-        shape.seed = current.shape.seed.child(current.count);
+        let seed = current.shape.seed.child(current.count);
+        current.heir = Some(Heir { symbol: successor.symbol, rule: successor.rule, args: args.into(), seed });
         current.count += 1;
         current.used = true;
-        let (symbol, rule) = (successor.symbol, successor.rule);
-        turn.successors.push(Task { shape, parent: turn.node, symbol, rule, args, depth: turn.depth + 1 });
         Ok(())
     }
 
-    fn application(&mut self, application: &Application, turn: &mut Turn, current: &mut Current) -> Result<(), Stop> {
+    /// A step follows, so the last successor gets a copy.
+    fn settle(&mut self, turn: &Turn, current: &mut Current) {
+        if let Some(heir) = current.heir.take() {
+            self.succeed(heir, current.shape.clone(), turn);
+        }
+    }
+
+    fn succeed(&mut self, heir: Heir, shape: Shape, turn: &Turn) {
+        let Heir { symbol, rule, args, seed } = heir;
+        let shape = Shape { seed, ..shape };
+        self.queue.push(Task { shape, parent: turn.node, symbol, rule, args, depth: turn.depth + 1 });
+    }
+
+    fn application(&mut self, application: &Application, turn: &Turn, current: &mut Current) -> Result<(), Stop> {
         let mut frame = self.frame(turn, current);
         let cuts = match &application.block {
             Block::Cuts(cuts) => select::cuts(cuts, &mut frame),
@@ -341,17 +372,15 @@ impl Engine<'_> {
             world: self.options.world,
             most: self.options.limits.children,
         };
-        let pieces = application.operation.apply(&mut values, current.shape.clone(), &given);
+        let pieces = application.operation.apply(&mut values, &mut current.shape, &given);
         match pieces.map_err(|p| self.problem(application.span, p, turn))? {
-            Pieces::Changed(shape) => current.shape = shape,
-            Pieces::Told(shape, effect) => {
-                current.shape = shape;
-                self.effect(effect, turn, current);
-            }
-            Pieces::Parts(parts, kept) => {
-                current.used |= kept.is_none();
+            Pieces::Changed => {}
+            Pieces::Told(effect) => self.effect(effect, turn, current),
+            Pieces::Parts(parts) => {
+                current.used = true;
                 self.parts(application, parts, seed, turn)?;
             }
+            Pieces::Beside(parts) => self.parts(application, parts, seed, turn)?,
         }
         Ok(())
     }
@@ -377,14 +406,8 @@ impl Engine<'_> {
     }
 
     /// Runs the block's bodies on the pieces; a piece that fails is left out and the others go on.
-    fn parts(
-        &mut self,
-        application: &Application,
-        parts: Vec<Part>,
-        seed: crate::seed::Seed,
-        turn: &mut Turn,
-    ) -> Result<(), Stop> {
-        if self.outcome.nodes.len() + turn.successors.len() + parts.len() > self.options.limits.shapes {
+    fn parts(&mut self, application: &Application, parts: Vec<Part>, seed: Seed, turn: &Turn) -> Result<(), Stop> {
+        if self.outcome.nodes.len() + self.queue.len() + parts.len() > self.options.limits.shapes {
             let message = format!("the lot has more shapes than the limit `shapes` of {}", self.options.limits.shapes);
             return Err(Stop::Lot(self.diagnostic("limit", application.span, message, turn.node)));
         }

@@ -33,7 +33,7 @@ pub fn band(area: &Area, normal: DVec2, from: f64, to: f64) -> Area {
 /// The areas between consecutive cuts: `cuts.len() - 1` of them, in order; the cuts must ascend, the first and the
 /// last may be infinite. Same as [`band`] for each pair, but costs n log k instead of n k for k cuts.
 pub fn bands(area: &Area, normal: DVec2, cuts: &[f64]) -> Vec<Area> {
-    let mut parts = vec![Area::empty(); cuts.len().saturating_sub(1)];
+    let mut parts: Vec<Area> = cuts.iter().skip(1).map(|_| Area::empty()).collect();
     if parts.is_empty() || !cuts.is_sorted() || cuts.iter().any(|c| c.is_nan()) {
         return parts;
     }
@@ -124,10 +124,11 @@ impl Line {
         kept
     }
 
-    /// The parts of a convex ring before and beyond the line.
-    fn split_convex(&self, ring: &[DVec2]) -> (Ring, Ring) {
-        let (mut below, mut above) = (Ring::new(), Ring::new());
-        let Some(mut before) = ring.last().map(|p| (*p, self.height(*p))) else { return (below, above) };
+    /// Puts the parts of a convex ring before and beyond the line into `below` and `above`.
+    fn split_convex(&self, ring: &[DVec2], below: &mut Ring, above: &mut Ring) {
+        below.clear();
+        above.clear();
+        let Some(mut before) = ring.last().map(|p| (*p, self.height(*p))) else { return };
         for vertex in ring.iter().map(|p| (*p, self.height(*p))) {
             if before.1 * vertex.1 < 0.0 {
                 let met = self.met(before, vertex);
@@ -142,7 +143,6 @@ impl Line {
             }
             before = vertex;
         }
-        (below, above)
     }
 
     /// The kept part of a polygon, added to `parts`.
@@ -239,13 +239,14 @@ fn peel(polygon: &Polygon, normal: DVec2, cuts: &[f64], parts: &mut [Area]) {
     let (low, high) = extent(polygon.outer(), normal);
     let first = cuts.partition_point(|c| *c <= low + ON_LINE).saturating_sub(1);
     let mut rest = Line::new(normal, cuts[first], true).clip_convex(polygon.outer());
+    let (mut below, mut above) = (Ring::new(), Ring::new());
     for (part, cut) in parts.iter_mut().zip(&cuts[1..]).skip(first) {
         if *cut >= high - ON_LINE {
             return push_ring(&rest, part);
         }
-        let (below, above) = Line::new(normal, *cut, true).split_convex(&rest);
+        Line::new(normal, *cut, true).split_convex(&rest, &mut below, &mut above);
         push_ring(&below, part);
-        rest = above;
+        std::mem::swap(&mut rest, &mut above);
     }
 }
 

@@ -55,17 +55,20 @@ fn shrink_convex(ring: &[DVec2], distance: f64, parts: &mut Area) {
 /// Every corner moved to where the moved edges meet; `None` where an edge would turn round, so that others take its
 /// place. The result has the edges of the ring in the same order and direction, so it is the inset itself.
 fn moved_corners(ring: &[DVec2], distance: f64) -> Option<Ring> {
-    let count = ring.len();
-    let direction = |i: usize| (ring[(i + 1) % count] - ring[i]).try_normalize();
     let mut moved = Ring::new();
-    let mut before = direction(count - 1)?;
-    for (i, corner) in ring.iter().enumerate() {
-        let along = direction(i)?;
+    let mut before = (*ring.first()? - *ring.last()?).try_normalize()?;
+    for (corner, side) in ring.iter().zip(sides(ring)) {
+        let along = side.try_normalize()?;
         moved.push(*corner + mitre(before, along) * distance);
         before = along;
     }
-    let forward = |i: usize| (moved[(i + 1) % count] - moved[i]).dot(ring[(i + 1) % count] - ring[i]) > 0.0;
-    (0..count).all(forward).then_some(moved)
+    let forward = sides(&moved).zip(sides(ring)).all(|(after, side)| after.dot(side) > 0.0);
+    forward.then_some(moved)
+}
+
+/// From each corner to the next, round the ring.
+fn sides(ring: &[DVec2]) -> impl Iterator<Item = DVec2> {
+    ring.iter().zip(ring.iter().skip(1).chain(ring.first())).map(|(a, b)| *b - *a)
 }
 
 /// Where a convex corner between two unit directions goes when both edges move left by one.

@@ -120,13 +120,12 @@ impl Polygon {
         self.mapped(|p| p + offset)
     }
 
-    /// The same moved by `offset`, in place where nobody shares the buffer.
-    pub fn into_translated(mut self, offset: DVec2) -> Polygon {
+    /// Moves it by `offset`, in place where nobody shares the buffer.
+    fn translate(&mut self, offset: DVec2) {
         match Arc::get_mut(&mut self.points) {
             Some(points) => points.iter_mut().for_each(|p| *p += offset),
             None => self.points = self.points.iter().map(|p| *p + offset).collect(),
         }
-        self
     }
 
     /// The same with each vertex moved by `map`, which must keep rings simple and their orientation.
@@ -205,8 +204,9 @@ impl Area {
     }
 
     /// The same moved by `offset`, in place where nobody shares the buffers.
-    pub fn into_translated(self, offset: DVec2) -> Area {
-        Area(self.0.into_iter().map(|p| p.into_translated(offset)).collect())
+    pub fn into_translated(mut self, offset: DVec2) -> Area {
+        self.0.iter_mut().for_each(|polygon| polygon.translate(offset));
+        self
     }
 
     /// The same under an affine map; parts that it flattens vanish.

@@ -51,7 +51,7 @@ choice! {
 }
 
 impl Apply for AlignScopeToAxes {
-    fn apply(self, shape: Shape, _: &Given) -> Result<Pieces, Problem> {
+    fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
         let old = shape.scope.frame.rotation;
         let object = shape.style.object;
         let rotation = match self.axes {
@@ -64,7 +64,8 @@ impl Apply for AlignScopeToAxes {
             To::ObjectY => brought(old, DVec3::Y, object * DVec3::Y),
             To::ObjectZ => brought(old, DVec3::Z, object * DVec3::Z),
         };
-        Ok(Pieces::Changed(turned(shape, rotation)))
+        turn(shape, rotation);
+        Ok(Pieces::Changed)
     }
 }
 
@@ -73,11 +74,11 @@ fn brought(rotation: DQuat, axis: DVec3, to: DVec3) -> DQuat {
     (DQuat::from_rotation_arc(rotation * axis, to) * rotation).normalize()
 }
 
-/// The shape with its scope turned and fitted again.
-fn turned(shape: Shape, rotation: DQuat) -> Shape {
+/// Turns the scope and fits it again.
+fn turn(shape: &mut Shape, rotation: DQuat) {
     let local = rotation.inverse() * shape.scope.frame.rotation;
     let geometry = match &shape.geometry {
-        Geometry::Element(_) => return shape,
+        Geometry::Element(_) => return,
         Geometry::Empty | Geometry::Point => shape.geometry.clone(),
         Geometry::Path(points) => Geometry::Path(points.iter().map(|p| local * *p).collect()),
         Geometry::Flat(plane, area) => {
@@ -90,10 +91,8 @@ fn turned(shape: Shape, rotation: DQuat) -> Shape {
         }
         Geometry::Mesh(mesh) => Geometry::Mesh(Arc::new(mesh.transformed(&DAffine3::from_quat(local)))),
     };
-    let frame = Frame { origin: shape.scope.frame.origin, rotation };
-    let blank = Shape { scope: Scope { frame, size: DVec3::ZERO }, ..shape };
-    let pointlike = Shape { geometry: geometry.clone(), ..blank.clone() };
-    fit::fitted(&blank, geometry).unwrap_or(pointlike)
+    shape.scope = Scope { frame: Frame { origin: shape.scope.frame.origin, rotation }, size: DVec3::ZERO };
+    fit::refit(shape, geometry);
 }
 
 /// A plane after a turn: the ground stays the ground where it is level.

@@ -48,7 +48,7 @@ impl Axes {
 }
 
 impl Apply for Center {
-    fn apply(self, mut shape: Shape, given: &Given) -> Result<Pieces, Problem> {
+    fn apply(self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
         let around = given.around;
         let wanted = around.size * 0.5;
         let middle = around.frame.to_local(shape.scope.frame.to_world(shape.scope.size * 0.5));
@@ -57,6 +57,6 @@ impl Apply for Center {
             offset[axis.index()] = 0.0;
         }
         shape.scope.frame.origin += around.frame.rotation * offset;
-        Ok(Pieces::Changed(shape))
+        Ok(Pieces::Changed)
     }
 }

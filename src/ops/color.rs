@@ -25,14 +25,14 @@ operation! {
 }
 
 impl Apply for Color {
-    fn apply(self, mut shape: Shape, _: &Given) -> Result<Pieces, Problem> {
+    fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
         let color = match (self.color.as_str(), self.color.as_float()) {
             (Some(text), _) => parse(text)?,
             (None, Some(red)) => [red, self.green, self.blue, self.opacity].map(|c| c.clamp(0.0, 1.0) as f32),
             _ => return Err(Problem::new(format!("`{}` is not a colour", self.color))),
         };
         Arc::make_mut(&mut shape.style).color = Some(color);
-        Ok(Pieces::Changed(shape))
+        Ok(Pieces::Changed)
     }
 }
 

@@ -59,8 +59,8 @@ impl Apply for Comp {
         Ok(found)
     }
 
-    fn apply(self, shape: Shape, given: &Given) -> Result<Pieces, Problem> {
-        let components = self.components(&shape)?;
+    fn apply(self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
+        let components = self.components(shape)?;
         let mut parts: Vec<Part> = Vec::new();
         let mut together: std::collections::BTreeMap<u16, Vec<Shape>> = std::collections::BTreeMap::new();
         for (component, chosen) in components.into_iter().zip(given.chosen) {
@@ -71,9 +71,9 @@ impl Apply for Comp {
             }
         }
         for (entry, shapes) in together {
-            parts.push(Part { entry, shape: joined(&shape, shapes)? });
+            parts.push(Part { entry, shape: joined(shape, shapes)? });
         }
-        Ok(Pieces::Parts(parts, None))
+        Ok(Pieces::Parts(parts))
     }
 }
 

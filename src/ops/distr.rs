@@ -23,8 +23,8 @@ operation! {
 }
 
 impl Apply for Distr {
-    fn apply(self, shape: Shape, given: &Given) -> Result<Pieces, Problem> {
-        let (plane, area, lift) = points::surface(&shape)?;
+    fn apply(self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
+        let (plane, area, lift) = points::surface(shape)?;
         let count = placement::count_at(&area, self.density.0).map_err(|e| Problem::new(e.to_string()))?;
         if count > given.most {
             return Err(Problem::new(format!("{count} points are more than the limit `children` of {}", given.most)));

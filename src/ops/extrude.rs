@@ -41,46 +41,41 @@ choice! {
 }
 
 impl Apply for Extrude {
-    fn apply(self, shape: Shape, _: &Given) -> Result<Pieces, Problem> {
+    fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
         let height = self.height.0;
         if !height.is_finite() {
             return Err(Problem::new(format!("an extrusion of {height} m cannot be done")));
         }
         if height == 0.0 {
-            return Ok(Pieces::Changed(shape));
+            return Ok(Pieces::Changed);
         }
         let up = shape.scope.frame.rotation.inverse() * DVec3::Y;
-        let geometry = match &shape.geometry {
-            Geometry::Flat(plane, area) => match self.sweep(plane, up) {
-                Some(_) => Geometry::Prism(plane.clone(), area.clone(), height * self.sign(plane, up)),
-                None => Geometry::Mesh(Arc::new(Mesh::prism(area, 0.0, height, |p, h| plane.at(p) + up * h))),
+        let geometry = match std::mem::replace(&mut shape.geometry, Geometry::Empty) {
+            Geometry::Flat(plane, area) => match self.sweep(&plane, up) {
+                Some(sign) => Geometry::Prism(plane, area, height * sign),
+                None => Geometry::Mesh(Arc::new(Mesh::prism(&area, 0.0, height, |p, h| plane.at(p) + up * h))),
             },
-            Geometry::Path(points) => Geometry::Mesh(Arc::new(wall(points, up * height))),
-            Geometry::Empty => return Ok(Pieces::Changed(shape)),
+            Geometry::Path(points) => Geometry::Mesh(Arc::new(wall(&points, up * height))),
+            Geometry::Empty => return Ok(Pieces::Changed),
             _ => {
                 return Err(
                     Problem::new("`extrude` takes flat shapes and edges").hint("`comp(f)` takes a face of a solid")
                 );
             }
         };
-        let changed = fit::fitted(&shape, geometry);
-        changed.map(Pieces::Changed).ok_or_else(|| Problem::new("there is nothing to extrude"))
+        fit::refit(shape, geometry);
+        Ok(Pieces::Changed)
     }
 }
 
 impl Extrude {
-    /// Whether the sweep runs along the plane's normal.
-    fn sweep(&self, plane: &Plane, up: DVec3) -> Option<()> {
-        let along = matches!(self.direction, Direction::Normal | Direction::Vertices);
-        (along || plane.normal().dot(up).abs() > 1.0 - 1e-9).then_some(())
-    }
-
-    /// Up may be against the normal.
-    fn sign(&self, plane: &Plane, up: DVec3) -> f64 {
-        match self.direction {
-            Direction::Normal | Direction::Vertices => 1.0,
-            _ => plane.normal().dot(up).signum(),
+    /// 1 where the sweep runs along the plane's normal, -1 where it runs against it; nothing where it runs askew.
+    fn sweep(&self, plane: &Plane, up: DVec3) -> Option<f64> {
+        if matches!(self.direction, Direction::Normal | Direction::Vertices) {
+            return Some(1.0);
         }
+        let along = plane.normal().dot(up);
+        (along.abs() > 1.0 - 1e-9).then_some(along.signum())
     }
 }
 

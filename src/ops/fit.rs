@@ -15,11 +15,25 @@ pub fn fitted(parent: &Shape, geometry: Geometry) -> Option<Shape> {
 
 /// A child of `parent` with the given geometry and box, both in the parent's coordinates.
 pub fn boxed(parent: &Shape, geometry: Geometry, origin: DVec3, size: DVec3) -> Shape {
-    Shape {
-        scope: Scope { frame: parent.scope.frame.moved(origin), size },
-        geometry: rebased(geometry, origin),
-        ..parent.clone()
-    }
+    child(parent, Scope { frame: parent.scope.frame.moved(origin), size }, rebased(geometry, origin))
+}
+
+/// A child of `parent` in a scope of its own.
+fn child(parent: &Shape, scope: Scope, geometry: Geometry) -> Shape {
+    let (attributes, style) = (parent.attributes.clone(), parent.style.clone());
+    Shape { scope, geometry, attributes, style, ordinals: parent.ordinals, seed: parent.seed }
+}
+
+/// Gives a shape another geometry, in its present coordinates, and fits its scope around it.
+///
+/// Where the geometry is empty so is the shape, and its scope stays.
+pub fn refit(shape: &mut Shape, geometry: Geometry) {
+    let Some((low, high)) = local_bounds(&geometry) else {
+        shape.geometry = Geometry::Empty;
+        return;
+    };
+    shape.scope = Scope { frame: shape.scope.frame.moved(low), size: high - low };
+    shape.geometry = rebased(geometry, low);
 }
 
 /// A child of `parent` with a region of one of its planes, x along a direction of that plane.
@@ -37,8 +51,9 @@ pub fn aligned(parent: &Shape, plane: &Plane, area: &Area, along: DVec2) -> Opti
         _ => (DMat3::from_cols(x, across, normal), Plane::Face),
     };
     let frame = parent.scope.frame.moved(plane.at(DVec2::ZERO)).turned(DQuat::from_mat3(&rotation));
-    let turned_parent = Shape { scope: Scope { frame, size: DVec3::ZERO }, ..parent.clone() };
-    fitted(&turned_parent, Geometry::Flat(plane_kind, turned))
+    let mut shape = child(parent, Scope { frame, size: DVec3::ZERO }, Geometry::Empty);
+    refit(&mut shape, Geometry::Flat(plane_kind, turned));
+    (shape.geometry != Geometry::Empty).then_some(shape)
 }
 
 /// A point of `parent`, at a place in its coordinates, with the parent's turn.

@@ -49,13 +49,14 @@ choice! {
 }
 
 impl Apply for Insert {
-    fn apply(self, shape: Shape, given: &Given) -> Result<Pieces, Problem> {
+    fn apply(self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
         let found = given.catalogue.find(&self.path.0, "").or_else(|error| by_model(given, &self.path.0).ok_or(error));
         let found = found.map_err(not_found)?;
         let own = DVec3::from(found.variant.size);
         let own = if self.up == Up::Z { DVec3::new(own.x, own.z, own.y) } else { own };
         let keep = self.fit != Fit::Align;
-        Ok(Pieces::Changed(placed(shape, &found, 0, own, keep)))
+        place(shape, &found, 0, own, keep);
+        Ok(Pieces::Changed)
     }
 }
 
@@ -80,8 +81,8 @@ pub(super) fn not_found(error: NotFound) -> Problem {
     }
 }
 
-/// The shape with an element of the given size in it.
-pub(super) fn placed(mut shape: Shape, found: &Found, appearance: u32, own: DVec3, keep: bool) -> Shape {
+/// Puts an element of the given size in the shape.
+pub(super) fn place(shape: &mut Shape, found: &Found, appearance: u32, own: DVec3, keep: bool) {
     let scope = shape.scope.size;
     let size = if keep { own } else { fitted(scope, own) };
     let plant = found.variant.plant;
@@ -96,7 +97,6 @@ pub(super) fn placed(mut shape: Shape, found: &Found, appearance: u32, own: DVec
         age: plant.map_or(0.0, |figures| figures.age),
         round: plant.is_some(),
     }));
-    shape
 }
 
 /// The size in a scope: zeros are filled in (CityEngine's rules for `i`).

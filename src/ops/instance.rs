@@ -1,7 +1,7 @@
 //! `I`: inserts an element by category, type and instance.
 
 use crate::ops::declare::operation;
-use crate::ops::insert::{not_found, placed};
+use crate::ops::insert::{not_found, place};
 use crate::ops::{Apply, Given, Pieces, Problem, Word};
 use crate::shape::Shape;
 use glam::DVec3;
@@ -26,7 +26,7 @@ operation! {
 }
 
 impl Apply for Instance {
-    fn apply(self, mut shape: Shape, given: &Given) -> Result<Pieces, Problem> {
+    fn apply(self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
         let found = given.catalogue.find(&self.category.0, &self.kind.0).map_err(not_found)?;
         let appearance = found.entry.appearance(found.variant, self.instance.max(0.0).floor() as u32);
         let own = DVec3::from(found.variant.size) * DVec3::new(appearance.crown, appearance.height, appearance.crown);
@@ -36,6 +36,7 @@ impl Apply for Instance {
             shape.scope.frame = shape.scope.frame.moved(middle);
             shape.scope.size = DVec3::ZERO;
         }
-        Ok(Pieces::Changed(placed(shape, &found, appearance.index, own, plant)))
+        place(shape, &found, appearance.index, own, plant);
+        Ok(Pieces::Changed)
     }
 }

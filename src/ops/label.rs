@@ -18,8 +18,8 @@ operation! {
 }
 
 impl Apply for Label {
-    fn apply(self, mut shape: Shape, _: &Given) -> Result<Pieces, Problem> {
+    fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
         Arc::make_mut(&mut shape.style).label = Some(self.name.0.clone());
-        Ok(Pieces::Told(shape, Effect::Label(self.name.0)))
+        Ok(Pieces::Told(Effect::Label(self.name.0)))
     }
 }

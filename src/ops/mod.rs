@@ -83,7 +83,7 @@ pub struct Operation {
     /// It asks for what lies around the shape.
     pub looks_around: bool,
     components: fn(&mut [Option<Value>], &Shape) -> Result<Vec<Component>, Problem>,
-    apply: fn(&mut [Option<Value>], Shape, &Given) -> Result<Pieces, Problem>,
+    apply: fn(&mut [Option<Value>], &mut Shape, &Given) -> Result<Pieces, Problem>,
 }
 
 /// What the engine hands to an operation beside the shape and its arguments.
@@ -120,12 +120,13 @@ pub struct Choice {
 /// What an operation makes of a shape.
 pub enum Pieces {
     /// The current shape goes on, changed.
-    Changed(Shape),
+    Changed,
     /// The same, and something is told.
-    Told(Shape, Effect),
-    /// Successors, each for an entry of the block. Where the current shape is given back it stays as it was
-    /// (points are set on a lawn); otherwise the pieces have used it up.
-    Parts(Vec<Part>, Option<Shape>),
+    Told(Effect),
+    /// Successors, each for an entry of the block, that use the shape up.
+    Parts(Vec<Part>),
+    /// The same, beside the shape: points set on a lawn leave the lawn.
+    Beside(Vec<Part>),
 }
 
 /// One successor.
@@ -167,8 +168,8 @@ pub trait Apply {
         Ok(Vec::new())
     }
 
-    /// The pieces.
-    fn apply(self, shape: Shape, given: &Given) -> Result<Pieces, Problem>;
+    /// Changes the shape or gives its pieces; pieces leave the shape as it was.
+    fn apply(self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem>;
 }
 
 /// Arguments → typed operation; written by the declaration.
@@ -192,8 +193,8 @@ impl Operation {
         (self.components)(values, shape)
     }
 
-    /// The pieces; the values are used up.
-    pub fn apply(&self, values: &mut [Option<Value>], shape: Shape, given: &Given) -> Result<Pieces, Problem> {
+    /// Changes the shape or gives its pieces; the values are used up.
+    pub fn apply(&self, values: &mut [Option<Value>], shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
         (self.apply)(values, shape, given)
     }
 }
@@ -223,6 +224,8 @@ pub fn find(name: &str) -> Option<&'static Operation> {
 
 /// A value as the type of its parameter.
 pub fn decode_value<T: Parameter>(parameter: &str, value: Value) -> Result<T, Problem> {
-    let found = format!("{} `{value}`", value.type_name());
-    T::from_value(value).ok_or_else(|| Problem::new(format!("`{parameter}` takes {}, found {found}", T::KIND.words())))
+    T::from_value(&value).ok_or_else(|| {
+        let (wanted, found) = (T::KIND.words(), value.type_name());
+        Problem::new(format!("`{parameter}` takes {wanted}, found {found} `{value}`"))
+    })
 }

@@ -36,7 +36,7 @@ choice! {
 }
 
 impl Apply for Offset {
-    fn apply(self, shape: Shape, _: &Given) -> Result<Pieces, Problem> {
+    fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
         let distance = self.distance.0;
         if !distance.is_finite() {
             return Err(Problem::new(format!("an offset of {distance} m cannot be done")));
@@ -46,8 +46,8 @@ impl Apply for Offset {
             Geometry::Prism(plane, area, height) => Geometry::Prism(plane.clone(), self.moved(area), *height),
             _ => return Err(Problem::new("`offset` takes flat shapes and prisms")),
         };
-        let empty = Shape { geometry: Geometry::Empty, ..shape.clone() };
-        Ok(Pieces::Changed(fit::fitted(&shape, geometry).unwrap_or(empty)))
+        fit::refit(shape, geometry);
+        Ok(Pieces::Changed)
     }
 }
 

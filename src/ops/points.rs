@@ -16,7 +16,7 @@ pub fn surface(shape: &Shape) -> Result<(Plane, Area, DVec3), Problem> {
 }
 
 /// Point shapes at places of a plane, y along its normal; the shape itself stays.
-pub fn children(shape: Shape, plane: &Plane, lift: DVec3, points: &[DVec2]) -> Pieces {
+pub fn children(shape: &Shape, plane: &Plane, lift: DVec3, points: &[DVec2]) -> Pieces {
     let total = points.len() as u32;
     // On the ground nothing turns; on other planes the children's y follows the normal.
     let turn = match plane {
@@ -24,10 +24,10 @@ pub fn children(shape: Shape, plane: &Plane, lift: DVec3, points: &[DVec2]) -> P
         _ => DQuat::from_rotation_arc(DVec3::Y, plane.normal()),
     };
     let parts = (0..).zip(points).map(|(index, point)| {
-        let mut child = fit::point(&shape, plane.at(*point) + lift);
+        let mut child = fit::point(shape, plane.at(*point) + lift);
         child.scope.frame = child.scope.frame.turned(turn);
         child.ordinals.place = (index, total);
         Part { entry: 0, shape: child }
     });
-    Pieces::Parts(parts.collect(), Some(shape.clone()))
+    Pieces::Beside(parts.collect())
 }

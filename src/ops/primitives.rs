@@ -98,59 +98,56 @@ operation! {
 const MOST_SIDES: u32 = 1024;
 
 impl Apply for Quad {
-    fn apply(self, shape: Shape, _: &Given) -> Result<Pieces, Problem> {
-        let size = sized(&shape, [self.width.0, 0.0, self.depth.0])?;
+    fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
+        let size = sized(shape, [self.width.0, 0.0, self.depth.0])?;
         let polygon = Polygon::rectangle(DVec2::new(0.0, -size.z), DVec2::new(size.x, 0.0));
-        Ok(Pieces::Changed(on_ground(&shape, polygon)))
+        fit::refit(shape, on_ground(polygon, 0.0));
+        Ok(Pieces::Changed)
     }
 }
 
 impl Apply for Disk {
-    fn apply(self, shape: Shape, _: &Given) -> Result<Pieces, Problem> {
-        let size = sized(&shape, [2.0 * self.radius.0, 0.0, 2.0 * self.radius.0])?;
+    fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
+        let size = sized(shape, [2.0 * self.radius.0, 0.0, 2.0 * self.radius.0])?;
         let round = Polygon::regular(DVec2::ZERO, 0.5, corners(self.vertices));
         let stretch = |p: DVec2| DVec2::new((p.x + 0.5) * size.x, (p.y - 0.5) * size.z);
         let polygon = round.filter(|_| size.x > 0.0 && size.z > 0.0).map(|round| round.mapped(stretch));
-        Ok(Pieces::Changed(on_ground(&shape, polygon)))
+        fit::refit(shape, on_ground(polygon, 0.0));
+        Ok(Pieces::Changed)
     }
 }
 
 impl Apply for Cube {
-    fn apply(self, shape: Shape, _: &Given) -> Result<Pieces, Problem> {
-        let size = sized(&shape, [self.width.0, self.height.0, self.depth.0])?;
+    fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
+        let size = sized(shape, [self.width.0, self.height.0, self.depth.0])?;
         let polygon = Polygon::rectangle(DVec2::new(0.0, -size.z), DVec2::new(size.x, 0.0));
-        let flat = on_ground(&shape, polygon);
-        match flat.geometry {
-            Geometry::Flat(plane, area) if size.y > 0.0 => {
-                let geometry = Geometry::Prism(plane, area, size.y);
-                let solid = Shape { geometry, ..shape.clone() };
-                let changed = fit::fitted(&shape, solid.geometry);
-                Ok(Pieces::Changed(changed.unwrap_or(shape)))
-            }
-            geometry => Ok(Pieces::Changed(Shape { geometry, ..flat })),
-        }
+        fit::refit(shape, on_ground(polygon, size.y));
+        Ok(Pieces::Changed)
     }
 }
 
 impl Apply for Cylinder {
-    fn apply(self, shape: Shape, _: &Given) -> Result<Pieces, Problem> {
-        let size = sized(&shape, [2.0 * self.radius.0, self.height.0, 2.0 * self.radius.0])?;
-        Ok(Pieces::Changed(solid(&shape, Mesh::cylinder(size, corners(self.sides)))))
+    fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
+        let size = sized(shape, [2.0 * self.radius.0, self.height.0, 2.0 * self.radius.0])?;
+        fit::refit(shape, solid(Mesh::cylinder(size, corners(self.sides))));
+        Ok(Pieces::Changed)
     }
 }
 
 impl Apply for Cone {
-    fn apply(self, shape: Shape, _: &Given) -> Result<Pieces, Problem> {
-        let size = sized(&shape, [2.0 * self.radius.0, self.height.0, 2.0 * self.radius.0])?;
-        Ok(Pieces::Changed(solid(&shape, Mesh::cone(size, corners(self.sides)))))
+    fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
+        let size = sized(shape, [2.0 * self.radius.0, self.height.0, 2.0 * self.radius.0])?;
+        fit::refit(shape, solid(Mesh::cone(size, corners(self.sides))));
+        Ok(Pieces::Changed)
     }
 }
 
 impl Apply for Sphere {
-    fn apply(self, shape: Shape, _: &Given) -> Result<Pieces, Problem> {
-        let size = sized(&shape, [2.0 * self.radius.0; 3])?;
+    fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
+        let size = sized(shape, [2.0 * self.radius.0; 3])?;
         let bands = self.bands.clamp(2, MOST_SIDES) as usize;
-        Ok(Pieces::Changed(solid(&shape, Mesh::sphere(size, corners(self.sides), bands))))
+        fit::refit(shape, solid(Mesh::sphere(size, corners(self.sides), bands)));
+        Ok(Pieces::Changed)
     }
 }
 
@@ -167,18 +164,16 @@ fn sized(shape: &Shape, given: [f64; 3]) -> Result<DVec3, Problem> {
     Ok(DVec3::select(given.cmpgt(DVec3::ZERO), given, shape.scope.size))
 }
 
-/// The polygon in place of the shape's geometry; empty where there is none.
-fn on_ground(shape: &Shape, polygon: Option<Polygon>) -> Shape {
-    let geometry = polygon.map(|p| Geometry::Flat(Plane::Ground, Area::from(p)));
-    let empty = Shape { geometry: Geometry::Empty, ..shape.clone() };
-    geometry.and_then(|g| fit::fitted(shape, g)).unwrap_or(empty)
+/// The polygon on the ground, with a height where it has one; empty where there is no polygon.
+fn on_ground(polygon: Option<Polygon>, height: f64) -> Geometry {
+    match polygon.map(Area::from) {
+        Some(area) if height > 0.0 => Geometry::Prism(Plane::Ground, area, height),
+        Some(area) => Geometry::Flat(Plane::Ground, area),
+        None => Geometry::Empty,
+    }
 }
 
-/// The mesh in place of the shape's geometry; empty where it has no faces.
-fn solid(shape: &Shape, mesh: Mesh) -> Shape {
-    let empty = Shape { geometry: Geometry::Empty, ..shape.clone() };
-    match mesh.faces.is_empty() {
-        true => empty,
-        false => fit::fitted(shape, Geometry::Mesh(Arc::new(mesh))).unwrap_or(empty),
-    }
+/// The mesh as geometry; empty where it has no faces.
+fn solid(mesh: Mesh) -> Geometry {
+    if mesh.faces.is_empty() { Geometry::Empty } else { Geometry::Mesh(Arc::new(mesh)) }
 }

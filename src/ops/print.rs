@@ -17,7 +17,7 @@ operation! {
 }
 
 impl Apply for PrintValue {
-    fn apply(self, shape: Shape, _: &Given) -> Result<Pieces, Problem> {
-        Ok(Pieces::Told(shape, Effect::Print(self.value)))
+    fn apply(self, _: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
+        Ok(Pieces::Told(Effect::Print(self.value)))
     }
 }

@@ -37,7 +37,7 @@ choice! {
 }
 
 impl Apply for Rotate {
-    fn apply(self, mut shape: Shape, _: &Given) -> Result<Pieces, Problem> {
+    fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
         let angles = [self.x, self.y, self.z].map(Degrees::radians);
         if angles.iter().any(|a| !a.is_finite()) {
             return Err(Problem::new("an angle is not a number"));
@@ -52,6 +52,6 @@ impl Apply for Rotate {
             About::Center => shape.scope.size * 0.5,
         };
         shape.scope.frame = shape.scope.frame.moved(fixed - turn * fixed).turned(turn);
-        Ok(Pieces::Changed(shape))
+        Ok(Pieces::Changed)
     }
 }

@@ -19,7 +19,7 @@ operation! {
 }
 
 impl Apply for ReportValue {
-    fn apply(self, shape: Shape, _: &Given) -> Result<Pieces, Problem> {
-        Ok(Pieces::Told(shape, Effect::Report(self.key.0, self.value)))
+    fn apply(self, _: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
+        Ok(Pieces::Told(Effect::Report(self.key.0, self.value)))
     }
 }

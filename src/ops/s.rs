@@ -26,13 +26,13 @@ operation! {
 }
 
 impl Apply for Resize {
-    fn apply(self, mut shape: Shape, _: &Given) -> Result<Pieces, Problem> {
+    fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
         let old = shape.scope.size;
         let new = t::lengths([self.x, self.y, self.z], old)?;
         let factor = DVec3::select(old.cmpgt(DVec3::splat(1e-12)), new / old, DVec3::ONE);
-        shape.geometry = stretched(shape.geometry, factor);
+        shape.geometry = stretched(std::mem::replace(&mut shape.geometry, Geometry::Empty), factor);
         shape.scope.size = new;
-        Ok(Pieces::Changed(shape))
+        Ok(Pieces::Changed)
     }
 }
 

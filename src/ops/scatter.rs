@@ -75,12 +75,12 @@ choice! {
 }
 
 impl Apply for Scatter {
-    fn apply(self, shape: Shape, given: &Given) -> Result<Pieces, Problem> {
+    fn apply(self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
         if self.count as usize > given.most {
             let message = format!("{} points are more than the limit `children` of {}", self.count, given.most);
             return Err(Problem::new(message));
         }
-        let (plane, area, lift) = points::surface(&shape)?;
+        let (plane, area, lift) = points::surface(shape)?;
         let bounds = area.bounds();
         let area = match self.domain {
             Domain::Scope => crate::geometry::Polygon::rectangle(bounds.min, bounds.max).into_iter().collect(),

@@ -24,15 +24,15 @@ operation! {
 }
 
 impl Apply for Set {
-    fn apply(self, mut shape: Shape, _: &Given) -> Result<Pieces, Problem> {
+    fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
         match &self.attribute {
             AttributeName::Slot(slot) => match Arc::make_mut(&mut shape.attributes).get_mut(*slot) {
                 Some(place) => *place = self.value,
                 None => return Err(Problem::new("there is no such attribute")),
             },
-            AttributeName::Shape(name) => built_in(&mut shape, name, &self.value)?,
+            AttributeName::Shape(name) => built_in(shape, name, &self.value)?,
         }
-        Ok(Pieces::Changed(shape))
+        Ok(Pieces::Changed)
     }
 }
 

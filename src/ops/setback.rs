@@ -43,8 +43,8 @@ impl Apply for Setback {
         Ok(found)
     }
 
-    fn apply(self, shape: Shape, given: &Given) -> Result<Pieces, Problem> {
-        let (plane, area) = flat(&shape)?;
+    fn apply(self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
+        let (plane, area) = flat(shape)?;
         let distance = self.distance.0;
         if !(distance.is_finite() && distance >= 0.0) {
             return Err(
@@ -64,7 +64,7 @@ impl Apply for Setback {
                 match choice.together {
                     true => together.entry(choice.entry).or_default().push(strip.area),
                     false => parts.extend(
-                        fit::aligned(&shape, plane, &strip.area, b - a).map(|s| Part { entry: choice.entry, shape: s }),
+                        fit::aligned(shape, plane, &strip.area, b - a).map(|s| Part { entry: choice.entry, shape: s }),
                     ),
                 }
             }
@@ -73,15 +73,15 @@ impl Apply for Setback {
         }
         for (entry, areas) in together {
             let whole = Geometry::Flat(plane.clone(), geometry::union_all(&areas));
-            parts.extend(fit::fitted(&shape, whole).map(|shape| Part { entry, shape }));
+            parts.extend(fit::fitted(shape, whole).map(|shape| Part { entry, shape }));
         }
         if let Some(Some(choice)) = given.chosen.last() {
-            let rest = fit::fitted(&shape, Geometry::Flat(plane.clone(), remainder));
+            let rest = fit::fitted(shape, Geometry::Flat(plane.clone(), remainder));
             parts.extend(rest.map(|shape| Part { entry: choice.entry, shape }));
         }
         let total = parts.len() as u32;
         (0..).zip(&mut parts).for_each(|(index, part)| part.shape.ordinals.comp = (index, total));
-        Ok(Pieces::Parts(parts, None))
+        Ok(Pieces::Parts(parts))
     }
 }
 

@@ -137,14 +137,14 @@ pub trait Parameter: Sized {
     /// What it takes.
     const KIND: ParamKind;
     /// The value, where it fits.
-    fn from_value(value: Value) -> Option<Self>;
+    fn from_value(value: &Value) -> Option<Self>;
 }
 
 macro_rules! number_parameter {
     ($($type:ty, $kind:ident, $make:expr;)*) => {$(
         impl Parameter for $type {
             const KIND: ParamKind = ParamKind::$kind;
-            fn from_value(value: Value) -> Option<Self> {
+            fn from_value(value: &Value) -> Option<Self> {
                 value.as_float().filter(|n| !n.is_nan()).map($make)
             }
         }
@@ -162,10 +162,10 @@ number_parameter! {
 
 impl Parameter for Size {
     const KIND: ParamKind = ParamKind::Size;
-    fn from_value(value: Value) -> Option<Self> {
+    fn from_value(value: &Value) -> Option<Self> {
         match value {
-            Value::Float(number) => Some(Size::Absolute(number)),
-            Value::Size(size @ (Size::Absolute(_) | Size::Relative(_))) => Some(size),
+            Value::Float(number) => Some(Size::Absolute(*number)),
+            Value::Size(size @ (Size::Absolute(_) | Size::Relative(_))) => Some(*size),
             _ => None,
         }
     }
@@ -173,15 +173,15 @@ impl Parameter for Size {
 
 impl Parameter for bool {
     const KIND: ParamKind = ParamKind::Truth;
-    fn from_value(value: Value) -> Option<Self> {
+    fn from_value(value: &Value) -> Option<Self> {
         value.as_bool()
     }
 }
 
 impl Parameter for Value {
     const KIND: ParamKind = ParamKind::Any;
-    fn from_value(value: Value) -> Option<Self> {
-        Some(value)
+    fn from_value(value: &Value) -> Option<Self> {
+        Some(value.clone())
     }
 }
 
@@ -191,9 +191,9 @@ pub struct Word(pub Arc<str>);
 
 impl Parameter for Word {
     const KIND: ParamKind = ParamKind::Word;
-    fn from_value(value: Value) -> Option<Self> {
+    fn from_value(value: &Value) -> Option<Self> {
         match value {
-            Value::Text(text) | Value::Word(text) => Some(Word(text)),
+            Value::Text(text) | Value::Word(text) => Some(Word(text.clone())),
             Value::Float(_) => Some(Word(value.to_string().into())),
             _ => None,
         }
@@ -211,10 +211,10 @@ pub enum AttributeName {
 
 impl Parameter for AttributeName {
     const KIND: ParamKind = ParamKind::Attribute;
-    fn from_value(value: Value) -> Option<Self> {
+    fn from_value(value: &Value) -> Option<Self> {
         match value {
-            Value::Float(slot) => Some(AttributeName::Slot(slot as usize)),
-            Value::Text(name) | Value::Word(name) => Some(AttributeName::Shape(name)),
+            Value::Float(slot) => Some(AttributeName::Slot(*slot as usize)),
+            Value::Text(name) | Value::Word(name) => Some(AttributeName::Shape(name.clone())),
             _ => None,
         }
     }
@@ -229,7 +229,7 @@ macro_rules! choice {
 
         impl $crate::ops::Parameter for $name {
             const KIND: $crate::ops::ParamKind = $crate::ops::ParamKind::Choice(&[$($word),*]);
-            fn from_value(value: $crate::value::Value) -> Option<Self> {
+            fn from_value(value: &$crate::value::Value) -> Option<Self> {
                 match value.as_str()? {
                     $($word => Some($name::$variant),)*
                     _ => None,

@@ -72,24 +72,25 @@ struct Interval {
 }
 
 impl Apply for Split {
-    fn apply(self, shape: Shape, given: &Given) -> Result<Pieces, Problem> {
+    fn apply(self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
         let axis = [Axis::X, Axis::Y, Axis::Z][self.axis as usize];
         let length = shape.scope.size[axis.index()];
         let intervals = intervals(given.cuts, length, given.most)?;
         let total = intervals.len() as u32;
-        let pieces = cut(&shape, axis, &intervals)?;
+        let pieces = cut(shape, axis, &intervals)?;
         let mut parts = Vec::with_capacity(pieces.len());
-        for (index, (interval, geometry)) in intervals.iter().zip(pieces).enumerate() {
+        for (index, (interval, geometry)) in (0..).zip(intervals.iter().zip(pieces)) {
             let child = match self.scope {
-                Adjust::Adjust => fit::fitted(&shape, geometry),
-                Adjust::NoAdjust => Some(unadjusted(&shape, axis, interval, geometry)),
+                _ if geometry == Geometry::Empty => None,
+                Adjust::Adjust => fit::fitted(shape, geometry),
+                Adjust::NoAdjust => Some(unadjusted(shape, axis, interval, geometry)),
             };
-            if let Some(mut child) = child.filter(|c| c.geometry != Geometry::Empty) {
-                child.ordinals.split = (index as u32, total);
+            if let Some(mut child) = child {
+                child.ordinals.split = (index, total);
                 parts.push(Part { entry: interval.entry, shape: child });
             }
         }
-        Ok(Pieces::Parts(parts, None))
+        Ok(Pieces::Parts(parts))
     }
 }
 

@@ -24,10 +24,10 @@ operation! {
 }
 
 impl Apply for Translate {
-    fn apply(self, mut shape: Shape, _: &Given) -> Result<Pieces, Problem> {
+    fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
         let offset = lengths([self.x, self.y, self.z], shape.scope.size)?;
         shape.scope.frame = shape.scope.frame.moved(offset);
-        Ok(Pieces::Changed(shape))
+        Ok(Pieces::Changed)
     }
 }
 

@@ -26,7 +26,7 @@ operation! {
 impl Apply for Without {
     const LOOKS_AROUND: bool = true;
 
-    fn apply(self, shape: Shape, given: &Given) -> Result<Pieces, Problem> {
+    fn apply(self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
         let Geometry::Flat(plane, area) = &shape.geometry else {
             return Err(Problem::new("`without` takes flat shapes"));
         };
@@ -38,7 +38,7 @@ impl Apply for Without {
         let mut taken = given.intra.areas(near, &self.label.0, margin);
         taken.extend(given.inter.areas(near, &self.label.0, margin));
         if taken.is_empty() {
-            return Ok(Pieces::Changed(shape));
+            return Ok(Pieces::Changed);
         }
         let frame = shape.scope.frame;
         // From the plan straight down onto the shape's plane: the shape is level, so the map is affine.
@@ -46,7 +46,8 @@ impl Apply for Without {
         let origin = local(DVec2::ZERO);
         let map = DAffine2::from_cols(local(DVec2::X) - origin, local(DVec2::Y) - origin, origin);
         let left = geometry::difference(area, &geometry::union_all(&taken).transformed(&map));
-        let empty = Shape { geometry: Geometry::Empty, ..shape.clone() };
-        Ok(Pieces::Changed(fit::fitted(&shape, Geometry::Flat(plane.clone(), left)).unwrap_or(empty)))
+        let left = Geometry::Flat(plane.clone(), left);
+        fit::refit(shape, left);
+        Ok(Pieces::Changed)
     }
 }
