@@ -46,7 +46,9 @@ impl Checker {
         if &*call.name.text == "NIL" {
             return Some(Step::Delete);
         }
-        let operation = ops::find(&call.name.text);
+        // `Pine.` says that a leaf is meant, whatever operations there are.
+        let meant = call.leaf && call.args.is_empty() && call.blocks.is_empty();
+        let operation = ops::find(&call.name.text).filter(|_| !meant);
         let rule = self.rule_named(&call.name.text, call.args.len());
         let unbuilt = UNBUILT_OPERATIONS.iter().find(|u| u.name == &*call.name.text);
         match (operation, rule) {

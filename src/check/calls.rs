@@ -199,7 +199,7 @@ impl Checker {
                 self.attribute_name(name, value.span)
             }
             (ExprKind::Call(name, None), kind)
-                if kind.takes_words() && !self.is_own_name(name) && functions::find(name).is_none() =>
+                if kind.takes_words() && !self.is_own_name(name) && !is_read(name, kind) =>
             {
                 Code::Value(Value::Word(name.clone()))
             }
@@ -257,6 +257,12 @@ fn is_word(value: &Expr, words: &[&str]) -> bool {
         ExprKind::Call(name, None) | ExprKind::Text(name) => words.contains(&&**name),
         _ => false,
     }
+}
+
+/// Whether a bare word is one of the language's own names, to be read rather than to stand for itself: where a word is
+/// wanted (`report(inside, 1)`), only those that give a text.
+fn is_read(name: &str, kind: ParamKind) -> bool {
+    functions::find(name).is_some_and(|f| kind != ParamKind::Word || result(f.name) == Kind::Text)
 }
 
 /// `it is called as …`, from the declaration.

@@ -11,7 +11,7 @@ use crate::diag::{self, Diagnostic, Span};
 use crate::functions::{Initial, Surroundings};
 use crate::layout::Layout;
 use crate::ops::{Effect, Given, Part, Pieces, Problem};
-use crate::seed::Random;
+use crate::seed::{Random, Seed};
 use crate::shape::{LeafOf, Node, NodeId, Occluder, Occluders, Outcome, Print, Scope, Shape};
 use crate::value::Value;
 use smallvec::SmallVec;
@@ -47,10 +47,12 @@ pub(super) fn lot(
         lot: region.id.clone(),
         outcome: Outcome::default(),
         queue: Vec::new(),
+        branches: vec![NodeId(0)],
         begun: Instant::now(),
     };
     engine.attributes(&mut shape, region);
-    engine.queue.push(Task { shape, parent: NodeId(0), symbol, rule: Some(rule), args: Args::new(), depth: 0 });
+    let (args, rule) = (Args::new(), Some(rule));
+    engine.queue.push(Task { shape, parent: NodeId(0), branch: NodeId(0), symbol, rule, args, depth: 0 });
     engine.run();
     engine.outcome
 }
@@ -59,6 +61,8 @@ pub(super) fn lot(
 struct Task {
     shape: Shape,
     parent: NodeId,
+    /// The branch that it came from.
+    branch: NodeId,
     symbol: u32,
     rule: Option<u32>,
     args: Args,
@@ -83,6 +87,9 @@ struct Engine<'a> {
     lot: Arc<str>,
     outcome: Outcome,
     queue: Vec<Task>,
+    /// For occlusion a tree finer than that of the nodes, as each branch's parent: every piece of a block and every
+    /// bracket is a branch of its own, so that siblings within a rule see each other.
+    branches: Vec<NodeId>,
     begun: Instant,
 }
 
@@ -98,6 +105,8 @@ struct Turn {
 struct Current {
     shape: Shape,
     random: Random,
+    /// Where it stands for occlusion.
+    branch: NodeId,
     /// The scope when the rule, piece or bracket began: what `center` centres in.
     around: Scope,
     /// Successors and operations so far: the seeds' index.
@@ -109,9 +118,17 @@ struct Current {
 }
 
 impl Current {
-    fn new(shape: Shape) -> Current {
+    fn new(shape: Shape, branch: NodeId) -> Current {
         let random = shape.seed.draw("rand");
-        Current { around: shape.scope, shape, random, count: 0, used: false, deleted: false }
+        Current { branch, around: shape.scope, shape, random, count: 0, used: false, deleted: false }
+    }
+
+    /// Takes over what an operation made of the shape; a new seed begins its numbers anew.
+    fn change(&mut self, shape: Shape) {
+        if shape.seed != self.shape.seed {
+            self.random = shape.seed.draw("rand");
+        }
+        self.shape = shape;
     }
 }
 
@@ -182,13 +199,14 @@ impl Engine<'_> {
         let node = NodeId(self.outcome.nodes.len() as u32);
         let parent = if node.0 == 0 { node } else { task.parent };
         self.outcome.nodes.push(Node { parent, symbol: task.symbol, rule: task.rule });
+        let branch = self.branch(task.branch);
         let Some(rule) = task.rule else {
-            self.leaf(node, task.shape);
+            self.leaf(node, branch, task.shape);
             return Ok(());
         };
         let mut turn = Turn { node, args: task.args, depth: task.depth, successors: Vec::new() };
         let program = self.program;
-        self.body(&program.rules[rule as usize].body, &mut turn, Current::new(task.shape))?;
+        self.body(&program.rules[rule as usize].body, &mut turn, Current::new(task.shape, branch))?;
         self.queue.extend(turn.successors.into_iter().rev());
         Ok(())
     }
@@ -197,7 +215,7 @@ impl Engine<'_> {
     fn body(&mut self, body: &Body, turn: &mut Turn, mut current: Current) -> Result<(), Stop> {
         self.steps(body, turn, &mut current)?;
         if !current.used && !current.deleted {
-            self.leaf(turn.node, current.shape);
+            self.leaf(turn.node, current.branch, current.shape);
         }
         Ok(())
     }
@@ -282,16 +300,42 @@ impl Engine<'_> {
             Step::Delete => current.deleted = true,
             Step::Successor(successor) => self.successor(successor, turn, current)?,
             Step::Apply(application) => self.application(application, turn, current)?,
-            Step::Push(body) => {
-                let mut inner = Current::new(current.shape.clone());
-                inner.shape.seed = current.shape.seed.child(current.count);
-                inner.random = inner.shape.seed.draw("rand");
-                current.count += 1;
-                self.steps(body, turn, &mut inner)?;
-                current.used |= inner.used;
-            }
+            Step::Push(body) => self.bracket(body, turn, current)?,
         }
         Ok(())
+    }
+
+    /// Runs a bracket on a copy of the shape. What it inserts or raises without naming a successor is built, as in
+    /// the papers; what fails in it is left out, and the rule goes on.
+    fn bracket(&mut self, body: &Body, turn: &mut Turn, current: &mut Current) -> Result<(), Stop> {
+        let mut shape = current.shape.clone();
+        shape.seed = current.shape.seed.child(current.count);
+        current.count += 1;
+        let before = std::mem::discriminant(&shape.geometry);
+        let mut inner = Current::new(shape, self.branch(current.branch));
+        match self.steps(body, turn, &mut inner) {
+            Err(Stop::Branch(diagnostic)) => {
+                self.outcome.diagnostics.push(diagnostic);
+                current.used = true;
+                return Ok(());
+            }
+            other => other?,
+        }
+        let made = inner.shape.is_closed() && std::mem::discriminant(&inner.shape.geometry) != before;
+        current.used |= inner.used || made;
+        if made && !inner.used && !inner.deleted {
+            self.leaf(turn.node, inner.branch, inner.shape);
+        }
+        Ok(())
+    }
+
+    /// A new branch that grows from another.
+    fn branch(&mut self, parent: NodeId) -> NodeId {
+        if !self.program.looks_around {
+            return parent;
+        }
+        self.branches.push(parent);
+        NodeId(self.branches.len() as u32 - 1)
     }
 
     fn successor(&mut self, successor: &Successor, turn: &mut Turn, current: &mut Current) -> Result<(), Stop> {
@@ -305,7 +349,8 @@ impl Engine<'_> {
         current.count += 1;
         current.used = true;
         let (symbol, rule) = (successor.symbol, successor.rule);
-        turn.successors.push(Task { shape, parent: turn.node, symbol, rule, args, depth: turn.depth + 1 });
+        let (parent, branch, depth) = (turn.node, current.branch, turn.depth + 1);
+        turn.successors.push(Task { shape, parent, branch, symbol, rule, args, depth });
         Ok(())
     }
 
@@ -340,14 +385,15 @@ impl Engine<'_> {
         };
         let pieces = application.operation.apply(&mut values, current.shape.clone(), &given);
         match pieces.map_err(|p| self.problem(application.span, p, turn))? {
-            Pieces::Changed(shape) => current.shape = shape,
+            Pieces::Changed(shape) => current.change(shape),
+            Pieces::Vanished => current.deleted = true,
             Pieces::Told(shape, effect) => {
                 current.shape = shape;
                 self.effect(effect, turn, current);
             }
             Pieces::Parts(parts, kept) => {
                 current.used |= kept.is_none();
-                self.parts(application, parts, seed, turn)?;
+                self.parts(application, parts, (seed, current.branch), turn)?;
             }
         }
         Ok(())
@@ -378,7 +424,7 @@ impl Engine<'_> {
         &mut self,
         application: &Application,
         parts: Vec<Part>,
-        seed: crate::seed::Seed,
+        (seed, branch): (Seed, NodeId),
         turn: &mut Turn,
     ) -> Result<(), Stop> {
         if self.outcome.nodes.len() + turn.successors.len() + parts.len() > self.options.limits.shapes {
@@ -389,7 +435,8 @@ impl Engine<'_> {
             let mut shape = part.shape;
             shape.seed = seed.child(index as u64);
             let Some(body) = application.bodies.get(part.entry as usize) else { continue };
-            match self.body(body, turn, Current::new(shape)) {
+            let current = Current::new(shape, self.branch(branch));
+            match self.body(body, turn, current) {
                 Err(Stop::Branch(diagnostic)) => self.outcome.diagnostics.push(diagnostic),
                 other => other?,
             }
@@ -406,15 +453,15 @@ impl Engine<'_> {
             }
             Effect::Label(label) if self.program.looks_around => {
                 let footprint = current.shape.footprint();
-                self.intra.add(Occluder { label: Some(label), node: Some(turn.node), footprint });
+                self.intra.add(Occluder { label: Some(label), node: Some(current.branch), footprint });
             }
             Effect::Label(_) => {}
         }
     }
 
-    fn leaf(&mut self, node: NodeId, shape: Shape) {
+    fn leaf(&mut self, node: NodeId, branch: NodeId, shape: Shape) {
         if self.program.looks_around && shape.is_closed() {
-            self.intra.add(Occluder { label: None, node: Some(node), footprint: shape.footprint() });
+            self.intra.add(Occluder { label: None, node: Some(branch), footprint: shape.footprint() });
         }
         self.outcome.leaves.push(LeafOf { node, shape });
     }
@@ -427,8 +474,8 @@ impl Engine<'_> {
             intra: &self.intra,
             inter: &self.inter,
             initial: &self.initial,
-            nodes: &self.outcome.nodes,
-            node: turn.node,
+            branches: &self.branches,
+            branch: current.branch,
         }
     }
 
@@ -466,8 +513,8 @@ pub(super) struct Frame<'f> {
     intra: &'f Occluders,
     inter: &'f Occluders,
     initial: &'f Initial,
-    nodes: &'f [Node],
-    node: NodeId,
+    branches: &'f [NodeId],
+    branch: NodeId,
 }
 
 impl Frame<'_> {
@@ -478,7 +525,7 @@ impl Frame<'_> {
 
     /// Evaluates on another shape: a component that a selector asks about.
     pub fn on<T>(&mut self, shape: &Shape, f: impl FnOnce(&Names, &mut Surroundings) -> T) -> T {
-        let is_ancestor = |other: NodeId| ancestors(self.nodes, self.node).any(|node| node == other);
+        let is_ancestor = |other: NodeId| climb(self.branches, self.branch).any(|branch| branch == other);
         let mut around = Surroundings {
             shape,
             random: self.random,
@@ -489,6 +536,11 @@ impl Frame<'_> {
         };
         f(&self.names, &mut around)
     }
+}
+
+/// A branch and those that it grows from.
+fn climb(branches: &[NodeId], from: NodeId) -> impl Iterator<Item = NodeId> {
+    std::iter::successors(Some(from), |id| Some(branches[id.0 as usize]).filter(|parent| parent != id))
 }
 
 /// A node and its ancestors, upwards.

@@ -119,6 +119,8 @@ pub struct Choice {
 pub enum Pieces {
     /// The current shape goes on, changed.
     Changed(Shape),
+    /// Nothing is left of the current shape: it is deleted.
+    Vanished,
     /// The same, and something is told.
     Told(Shape, Effect),
     /// Successors, each for an entry of the block. Where the current shape is given back it stays as it was

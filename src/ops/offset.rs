@@ -10,8 +10,8 @@ use crate::unit::Metres;
 operation! {
     /// Moves the outline of a flat shape or prism by a distance, outwards where it is positive, with mitred corners.
     ///
-    /// `inside` keeps the moved shape, `border` the band between the old outline and the new one, `all` both: then
-    /// `comp` finds them under `inside` and `border`. What vanishes is deleted.
+    /// `inside` keeps the moved shape, `border` the band between the old outline and the new one, `all` the band and
+    /// what it surrounds: then `comp(f)` finds them under `border` and `inside`. What vanishes is deleted.
     /// ```cga
     /// Bed --> offset(-0.5, inside) Flowers
     /// ```
@@ -26,7 +26,7 @@ operation! {
 choice! {
     /// What an offset keeps.
     pub enum Keep {
-        /// The moved shape and the band.
+        /// The band and what it surrounds.
         All = "all",
         /// The moved shape.
         Inside = "inside",
@@ -46,8 +46,7 @@ impl Apply for Offset {
             Geometry::Prism(plane, area, height) => Geometry::Prism(plane.clone(), self.moved(area), *height),
             _ => return Err(Problem::new("`offset` takes flat shapes and prisms")),
         };
-        let empty = Shape { geometry: Geometry::Empty, ..shape.clone() };
-        Ok(Pieces::Changed(fit::fitted(&shape, geometry).unwrap_or(empty)))
+        Ok(fit::fitted(&shape, geometry).map_or(Pieces::Vanished, Pieces::Changed))
     }
 }
 
@@ -58,11 +57,11 @@ impl Offset {
             Keep::Inside => inside,
             Keep::Border if self.distance.0 < 0.0 => geometry::difference(area, &inside),
             Keep::Border => geometry::difference(&inside, area),
-            Keep::All if self.distance.0 < 0.0 => {
-                let band = geometry::difference(area, &inside);
-                inside.polygons().iter().chain(band.polygons()).cloned().collect()
+            Keep::All => {
+                let (kept, outer) = if self.distance.0 < 0.0 { (&inside, area) } else { (area, &inside) };
+                let band = geometry::difference(outer, kept);
+                kept.polygons().iter().chain(band.polygons()).cloned().collect()
             }
-            Keep::All => inside,
         }
     }
 }

@@ -9,7 +9,8 @@ use glam::{DAffine2, DAffine3, DVec2, DVec3};
 use std::sync::Arc;
 
 operation! {
-    /// Sets the size of the scope; the geometry is stretched with it. A point gets the box around nothing.
+    /// Sets the size of the scope; the geometry is stretched with it, to a point by `s(0, 0, 0)`. A point gets the box
+    /// around nothing.
     ///
     /// The papers write `S(x, y, z)`.
     /// ```cga
@@ -30,13 +31,18 @@ impl Apply for Resize {
         let old = shape.scope.size;
         let new = t::lengths([self.x, self.y, self.z], old)?;
         let factor = DVec3::select(old.cmpgt(DVec3::splat(1e-12)), new / old, DVec3::ONE);
-        shape.geometry = stretched(shape.geometry, factor);
+        shape.geometry = match shape.geometry {
+            Geometry::Flat(..) | Geometry::Path(_) | Geometry::Prism(..) | Geometry::Mesh(_) if new == DVec3::ZERO => {
+                Geometry::Point
+            }
+            geometry => stretched(geometry, factor),
+        };
         shape.scope.size = new;
         Ok(Pieces::Changed(shape))
     }
 }
 
-/// The geometry stretched along the scope's axes; what is flattened to nothing becomes empty.
+/// The geometry stretched along the scope's axes; a region that is flattened to a line becomes empty.
 fn stretched(geometry: Geometry, factor: DVec3) -> Geometry {
     if factor == DVec3::ONE {
         return geometry;

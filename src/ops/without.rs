@@ -44,7 +44,6 @@ impl Apply for Without {
         let origin = local(DVec2::ZERO);
         let map = DAffine2::from_cols(local(DVec2::X) - origin, local(DVec2::Y) - origin, origin);
         let left = geometry::difference(area, &geometry::union_all(&taken).transformed(&map));
-        let empty = Shape { geometry: Geometry::Empty, ..shape.clone() };
-        Ok(Pieces::Changed(fit::fitted(&shape, Geometry::Flat(plane.clone(), left)).unwrap_or(empty)))
+        Ok(fit::fitted(&shape, Geometry::Flat(plane.clone(), left)).map_or(Pieces::Vanished, Pieces::Changed))
     }
 }
