@@ -5,7 +5,9 @@
 /// Case and underscores count little: `SetBack` finds `setback`. Cost: linear in the candidates.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let folded = fold(word);
-    let allowed = (folded.chars().count() / 3).clamp(1, 3);
+    // One letter is near to every other: there is nothing to suggest.
+    let length = folded.chars().count();
+    let allowed = if length < 2 { 0 } else { (length / 3).clamp(1, 3) };
     candidates
         .into_iter()
         .filter(|c| *c != word)

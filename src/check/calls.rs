@@ -45,6 +45,11 @@ impl Checker {
         (module, rest.into())
     }
 
+    /// Whether a name leads into an import that could not be loaded.
+    pub(super) fn is_lost(&self, name: &str) -> bool {
+        name.split_once('.').is_some_and(|(import, _)| self.loaded.modules[self.module].missing.contains(import))
+    }
+
     /// A parameter, attribute or function of the files.
     fn own_name(&mut self, module: usize, name: &Arc<str>, args: Option<&[Arg]>, here: bool) -> Option<(Code, Kind)> {
         let position = self.params.iter().position(|p| p == name).filter(|_| here && args.is_none());
@@ -85,6 +90,9 @@ impl Checker {
 
     fn unknown(&mut self, name: &Arc<str>, call: bool, span: Span) -> (Code, Kind) {
         let zero = (Code::Value(Value::Float(0.0)), Kind::Unknown);
+        if self.is_lost(name) {
+            return zero;
+        }
         if let Some(unbuilt) = UNBUILT_FUNCTIONS.iter().find(|u| u.name == &**name) {
             let message = format!("`{name}` ({}) is CityEngine's; bosquet does not have it yet", unbuilt.does);
             self.tell(Diagnostic::error("unbuilt", span, message).hint("`bosquet ops` lists what there is"));

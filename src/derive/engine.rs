@@ -468,7 +468,12 @@ impl Engine<'_> {
 
     fn frame<'f>(&'f self, turn: &'f Turn, current: &'f mut Current) -> Frame<'f> {
         Frame {
-            names: Names { program: self.program, params: &turn.args, calls: self.options.limits.calls },
+            names: Names {
+                program: self.program,
+                params: &turn.args,
+                calls: self.options.limits.calls,
+                room: evaluate::HIGHEST,
+            },
             shape: &current.shape,
             random: &mut current.random,
             intra: &self.intra,
