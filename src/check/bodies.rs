@@ -46,7 +46,9 @@ impl Checker {
         if &*call.name.text == "NIL" {
             return Some(Step::Delete);
         }
-        let operation = ops::find(&call.name.text);
+        // `Pine.` says that a leaf is meant, whatever operations there are.
+        let meant = call.leaf && call.args.is_empty() && call.blocks.is_empty();
+        let operation = ops::find(&call.name.text).filter(|_| !meant);
         let rule = self.rule_named(&call.name.text, call.args.len());
         let unbuilt = UNBUILT_OPERATIONS.iter().find(|u| u.name == &*call.name.text);
         match (operation, rule) {
@@ -81,6 +83,9 @@ impl Checker {
     /// A name that is neither operation nor rule: a leaf, or a slip of the pen.
     fn stranger(&mut self, call: &Call) -> Option<Step> {
         let name = &call.name.text;
+        if self.is_lost(name) {
+            return None;
+        }
         let near = self.near_step(name);
         let others = self.other_rules(name);
         let span = call.name.span;
@@ -165,6 +170,11 @@ impl Checker {
     }
 
     fn near_step(&self, name: &str) -> Option<String> {
+        if let Some((import, _)) = name.rsplit_once('.') {
+            let (module, bare) = self.path(&name.into());
+            let rules = self.names.rules[module].keys().map(|(n, _)| &**n);
+            return nearest(&bare, rules).map(|rule| format!("{import}.{rule}"));
+        }
         let rules = self.names.rules[self.module].keys().map(|(n, _)| &**n);
         let built = OPERATIONS.iter().flat_map(|o| o.spec.aliases.iter().copied().chain([o.spec.name]));
         nearest(name, rules.chain(built)).map(str::to_string)

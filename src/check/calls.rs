@@ -45,6 +45,11 @@ impl Checker {
         (module, rest.into())
     }
 
+    /// Whether a name leads into an import that could not be loaded.
+    pub(super) fn is_lost(&self, name: &str) -> bool {
+        name.split_once('.').is_some_and(|(import, _)| self.loaded.modules[self.module].missing.contains(import))
+    }
+
     /// A parameter, attribute or function of the files.
     fn own_name(&mut self, module: usize, name: &Arc<str>, args: Option<&[Arg]>, here: bool) -> Option<(Code, Kind)> {
         let position = self.params.iter().position(|p| p == name).filter(|_| here && args.is_none());
@@ -85,6 +90,9 @@ impl Checker {
 
     fn unknown(&mut self, name: &Arc<str>, call: bool, span: Span) -> (Code, Kind) {
         let zero = (Code::Value(Value::Float(0.0)), Kind::Unknown);
+        if self.is_lost(name) {
+            return zero;
+        }
         if let Some(unbuilt) = UNBUILT_FUNCTIONS.iter().find(|u| u.name == &**name) {
             let message = format!("`{name}` ({}) is CityEngine's; bosquet does not have it yet", unbuilt.does);
             self.tell(Diagnostic::error("unbuilt", span, message).hint("`bosquet ops` lists what there is"));
@@ -203,7 +211,7 @@ impl Checker {
                 self.attribute_name(name, value.span)
             }
             (ExprKind::Call(name, None), kind)
-                if kind.takes_words() && !self.is_own_name(name) && functions::find(name).is_none() =>
+                if kind.takes_words() && !self.is_own_name(name) && !is_read(name, kind) =>
             {
                 Code::Value(Value::Word(name.clone()))
             }
@@ -261,6 +269,12 @@ fn is_word(value: &Expr, words: &[&str]) -> bool {
         ExprKind::Call(name, None) | ExprKind::Text(name) => words.contains(&&**name),
         _ => false,
     }
+}
+
+/// Whether a bare word is one of the language's own names, to be read rather than to stand for itself: where a word is
+/// wanted (`report(inside, 1)`), only those that give a text.
+fn is_read(name: &str, kind: ParamKind) -> bool {
+    functions::find(name).is_some_and(|f| kind != ParamKind::Word || result(f.name) == Kind::Text)
 }
 
 /// `it is called as …`, from the declaration.

@@ -102,6 +102,7 @@ impl Checker {
             self.program.functions.push(Function {
                 name: function.name.text.clone(),
                 params: self.params.len(),
+                height: value.height(),
                 value,
                 span: function.name.span,
             });

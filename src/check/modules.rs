@@ -8,7 +8,7 @@ use crate::diag::{Diagnostic, Place, Severity, Span};
 use crate::syntax::ast::{self, FunctionKind, ItemKind};
 use crate::syntax::{Source, parse};
 use crate::world::{World, join};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// The deepest chain of imports.
@@ -48,6 +48,8 @@ pub(super) struct Module {
     pub prefix: String,
     /// Its imports by name.
     pub imports: BTreeMap<Arc<str>, usize>,
+    /// Imports that could not be loaded, which has been said: what they would have brought is not missed again.
+    pub missing: BTreeSet<Arc<str>>,
     /// Its attributes and constants by name.
     pub slots: BTreeMap<Arc<str>, u16>,
     /// Rules that its importers put in place of its own, by name and number of parameters: which module, item and override.
@@ -98,13 +100,16 @@ impl Loaded {
             tree: tree.clone(),
             prefix,
             imports: BTreeMap::new(),
+            missing: BTreeSet::new(),
             slots,
             replaced: BTreeMap::new(),
         });
         let chain: Vec<u16> = chain.iter().copied().chain([file]).collect();
         for (item, definition) in tree.items.iter().enumerate() {
             if let ItemKind::Import(import) = &definition.kind {
-                self.import(world, index, item, import, &chain);
+                if self.import(world, index, item, import, &chain).is_none() {
+                    self.modules[index].missing.insert(import.name.text.clone());
+                }
             }
         }
         self.replace_rules(index, &tree);
@@ -162,13 +167,21 @@ impl Loaded {
         (self.attributes.len() - 1) as u16
     }
 
-    fn import(&mut self, world: &dyn World, module: usize, item: usize, import: &ast::Import, chain: &[u16]) {
+    /// Loads an import; nothing where it cannot be loaded.
+    fn import(
+        &mut self,
+        world: &dyn World,
+        module: usize,
+        item: usize,
+        import: &ast::Import,
+        chain: &[u16],
+    ) -> Option<()> {
         let from = self.files[self.modules[module].file as usize].0.path().to_string();
         let path = join(&from, &import.path.text);
         let span = import.path.span;
         if chain.len() >= DEEPEST_IMPORT {
             self.error("import", span, format!("imports are nested deeper than {DEEPEST_IMPORT}"));
-            return;
+            return None;
         }
         let bytes = match world.source(&path) {
             Ok(bytes) => bytes,
@@ -176,7 +189,7 @@ impl Loaded {
                 let hint = "paths of imports are relative to the file that imports";
                 let diagnostic = Diagnostic::error("import", span, error.to_string()).hint(hint);
                 self.diagnostics.push(diagnostic);
-                return;
+                return None;
             }
         };
         let file = self.file(&path, &bytes);
@@ -184,7 +197,7 @@ impl Loaded {
             let names: Vec<&str> =
                 chain[at..].iter().chain([&file]).map(|f| self.files[*f as usize].0.path()).collect();
             self.error("import-cycle", span, format!("the imports go in a circle: {}", names.join(" → ")));
-            return;
+            return None;
         }
         if let Some(style) = import.styles.first() {
             self.error("unbuilt", style.span, "styles are parsed, but not derived yet".into());
@@ -196,6 +209,7 @@ impl Loaded {
         if self.modules[module].imports.insert(import.name.text.clone(), inner).is_some() {
             self.error("defined-twice", import.name.span, format!("`{}` is imported twice", import.name.text));
         }
+        Some(())
     }
 
     /// The slots of a module that reach into an import: all, or those that its parentheses do not hold back.

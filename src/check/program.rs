@@ -63,6 +63,8 @@ pub struct Function {
     pub params: usize,
     /// Its value.
     pub value: Code,
+    /// How high the tree of its value is: what a call takes of the stack.
+    pub height: usize,
     /// Where its name is written.
     pub span: Span,
 }
@@ -283,6 +285,11 @@ impl Code {
                 arms.iter().flat_map(|(test, value)| [test, value]).chain([&**otherwise]).collect()
             }
         }
+    }
+
+    /// How high its tree is.
+    pub fn height(&self) -> usize {
+        1 + self.parts().into_iter().map(Code::height).max().unwrap_or(0)
     }
 
     /// The value, where it is known before derivation.

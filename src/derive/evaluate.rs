@@ -24,7 +24,12 @@ pub(super) struct Names<'a> {
     pub params: &'a [Value],
     /// How many function calls may still be nested.
     pub calls: usize,
+    /// How much higher the tree of calls may grow, so that the stack holds.
+    pub room: usize,
 }
+
+/// The highest tree of expressions within function calls: some 400 bytes a level, far below a thread's stack.
+pub(super) const HIGHEST: usize = 2_000;
 
 /// The value of an expression on the shape of `around`.
 pub(super) fn evaluate(code: &Code, names: &Names, around: &mut Surroundings) -> Result<Value, Failure> {
@@ -98,13 +103,14 @@ pub(super) fn number(code: &Code, names: &Names, around: &mut Surroundings, span
 
 fn call(index: u32, args: &[Code], names: &Names, around: &mut Surroundings) -> Result<Value, Failure> {
     let function = &names.program.functions[index as usize];
-    let Some(calls) = names.calls.checked_sub(1) else {
-        let message = format!("`{}` calls itself too often: the limit is `calls`", function.name);
+    let left = names.calls.checked_sub(1).zip(names.room.checked_sub(function.height));
+    let Some((calls, room)) = left else {
+        let message = format!("`{}` is called too deep within itself or others: the limit is `calls`", function.name);
         return Err(Failure { span: function.span, message });
     };
     let params: smallvec::SmallVec<[Value; 4]> =
         args.iter().map(|arg| evaluate(arg, names, around)).collect::<Result<_, _>>()?;
-    evaluate(&function.value, &Names { program: names.program, params: &params, calls }, around)
+    evaluate(&function.value, &Names { program: names.program, params: &params, calls, room }, around)
 }
 
 fn binary(op: BinaryOp, left: Value, right: Value) -> Result<Value, String> {
@@ -160,7 +166,7 @@ pub(super) fn attributes(
         let mut around = Surroundings { shape: &shape, random: &mut random, ..reborrow(around) };
         let value = match given(slot) {
             Some(value) => Ok(value),
-            None => evaluate(&attribute.initial, &Names { program, params: &[], calls }, &mut around),
+            None => evaluate(&attribute.initial, &Names { program, params: &[], calls, room: HIGHEST }, &mut around),
         };
         match value {
             Ok(value) => Arc::make_mut(&mut shape.attributes)[slot] = value,
