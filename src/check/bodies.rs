@@ -214,6 +214,10 @@ impl Checker {
                 Block::Body
             }
         };
+        if bodies.len() > usize::from(u16::MAX) {
+            let parts = crate::text::counted(bodies.len(), "part");
+            self.tell(Diagnostic::error("block", call.span, format!("a block of {parts} is more than can be derived")));
+        }
         let span = call.span;
         let (args, arg_spans) = (args.into(), arg_spans.into());
         Step::Apply(Box::new(Application { operation, args, arg_spans, block, bodies: bodies.into(), span }))
@@ -315,7 +319,16 @@ impl Checker {
     /// `split(x) { 3 : split(x) { … } }`: the inner split cuts what the outer has cut already.
     fn same_axis(&mut self, call: &Call) {
         let Some(axis) = axis_of(call) else { return };
-        for entry in call.blocks.iter().flat_map(|b| &b.entries) {
+        for block in &call.blocks {
+            self.same_axis_in(call, axis, block);
+        }
+    }
+
+    fn same_axis_in(&mut self, call: &Call, axis: &str, block: &ast::Block) {
+        for entry in &block.entries {
+            if let Content::Block(inner) = &entry.content {
+                self.same_axis_in(call, axis, inner);
+            }
             let Content::Body(ast::Body::Ops(inner)) = &entry.content else { continue };
             let Some(Op::Call(first)) = inner.first() else { continue };
             if first.name.text == call.name.text && axis_of(first) == Some(axis) && !first.blocks.is_empty() {

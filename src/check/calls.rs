@@ -54,7 +54,7 @@ impl Checker {
     fn own_name(&mut self, module: usize, name: &Arc<str>, args: Option<&[Arg]>, here: bool) -> Option<(Code, Kind)> {
         let position = self.params.iter().position(|p| p == name).filter(|_| here && args.is_none());
         if let Some(position) = position {
-            return Some((Code::Param(position as u16), Kind::Unknown));
+            return Some((Code::Param(position as u32), Kind::Unknown));
         }
         let slot = self.loaded.modules[module].slots.get(name).copied().filter(|_| args.is_none_or(<[Arg]>::is_empty));
         if let Some(slot) = slot {
@@ -139,7 +139,7 @@ impl Checker {
     ) -> (Vec<Option<Code>>, Vec<Span>) {
         let mut codes: Vec<Option<Code>> = spec.params.iter().map(|_| None).collect();
         let mut spans = vec![span; spec.params.len()];
-        let mut next = 0;
+        let (mut next, mut strayed) = (0, false);
         for arg in args {
             let position = match &arg.name {
                 Some(name) => spec.params.iter().position(|p| p.name == &*name.text),
@@ -154,12 +154,16 @@ impl Checker {
                         self.tell(Diagnostic::error("arguments", arg.value.span, message));
                     }
                 }
-                None => self.stray(spec, arg),
+                None => {
+                    strayed = true;
+                    self.stray(spec, arg);
+                }
             }
         }
         let missing = spec.params.iter().zip(&codes).filter(|(p, c)| p.default.is_none() && c.is_none());
         let missing: Vec<String> = missing.map(|(p, _)| format!("`{}`", p.name)).collect();
-        if !missing.is_empty() {
+        // What strayed was probably meant for what is missing.
+        if !missing.is_empty() && !strayed {
             let message = format!("`{}` needs {}", spec.name, missing.join(", "));
             self.tell(Diagnostic::error("arguments", span, message).hint(usage(spec)));
         }
@@ -213,6 +217,9 @@ impl Checker {
             (ExprKind::Call(name, None), kind)
                 if kind.takes_words() && !self.is_own_name(name) && !is_read(name, kind) =>
             {
+                if kind == ParamKind::Any {
+                    self.bare(name, value.span);
+                }
                 Code::Value(Value::Word(name.clone()))
             }
             _ => self.value(value).0,
@@ -229,6 +236,15 @@ impl Checker {
             self.tell(Diagnostic::error("arguments", value.span, message).did_you_mean(near));
         }
         code
+    }
+
+    /// A bare word where anything may stand: the word itself, or a slip of the pen.
+    fn bare(&mut self, name: &Arc<str>, span: Span) {
+        if let Some(near) = self.near_value(name) {
+            let message = format!("there is no attribute, parameter or function `{name}`: it stands for the text");
+            let quoted = format!("a text that is meant stands in quotes: `\"{name}\"`");
+            self.tell(Diagnostic::lint("word", span, message).did_you_mean(Some(&near)).hint(quoted));
+        }
     }
 
     /// The slot of an attribute as a number, or the name of a built-in one as a word.

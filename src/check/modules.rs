@@ -51,7 +51,7 @@ pub(super) struct Module {
     /// Imports that could not be loaded, which has been said: what they would have brought is not missed again.
     pub missing: BTreeSet<Arc<str>>,
     /// Its attributes and constants by name.
-    pub slots: BTreeMap<Arc<str>, u16>,
+    pub slots: BTreeMap<Arc<str>, u32>,
     /// Rules that its importers put in place of its own, by name and number of parameters: which module, item and override.
     pub replaced: BTreeMap<(Arc<str>, usize), (usize, usize, Option<usize>)>,
 }
@@ -89,7 +89,7 @@ impl Loaded {
         world: &dyn World,
         file: u16,
         prefix: String,
-        outer: &BTreeMap<Arc<str>, u16>,
+        outer: &BTreeMap<Arc<str>, u32>,
         chain: &[u16],
     ) -> usize {
         let index = self.modules.len();
@@ -106,6 +106,9 @@ impl Loaded {
         });
         let chain: Vec<u16> = chain.iter().copied().chain([file]).collect();
         for (item, definition) in tree.items.iter().enumerate() {
+            if let ItemKind::Style { name, .. } = &definition.kind {
+                self.error("unbuilt", name.span, "styles are parsed, but not derived yet".into());
+            }
             if let ItemKind::Import(import) = &definition.kind {
                 if self.import(world, index, item, import, &chain).is_none() {
                     self.modules[index].missing.insert(import.name.text.clone());
@@ -122,8 +125,8 @@ impl Loaded {
         module: usize,
         tree: &Arc<ast::File>,
         prefix: &str,
-        outer: &BTreeMap<Arc<str>, u16>,
-    ) -> BTreeMap<Arc<str>, u16> {
+        outer: &BTreeMap<Arc<str>, u32>,
+    ) -> BTreeMap<Arc<str>, u32> {
         let mut slots = BTreeMap::new();
         for (item, definition) in tree.items.iter().enumerate() {
             let ItemKind::Function(function) = &definition.kind else { continue };
@@ -152,7 +155,7 @@ impl Loaded {
         item: usize,
         function: &ast::Function,
         prefix: &str,
-    ) -> u16 {
+    ) -> u32 {
         self.attributes.push(Attribute {
             name: format!("{prefix}{}", function.name.text).into(),
             public: function.kind == FunctionKind::Attr,
@@ -164,7 +167,7 @@ impl Loaded {
             span: function.name.span,
         });
         self.initials.push(Some((module, tree.clone(), Initial::Item(item))));
-        (self.attributes.len() - 1) as u16
+        (self.attributes.len() - 1) as u32
     }
 
     /// Loads an import; nothing where it cannot be loaded.
@@ -213,7 +216,7 @@ impl Loaded {
     }
 
     /// The slots of a module that reach into an import: all, or those that its parentheses do not hold back.
-    fn propagated(&self, module: usize, import: &ast::Import) -> BTreeMap<Arc<str>, u16> {
+    fn propagated(&self, module: usize, import: &ast::Import) -> BTreeMap<Arc<str>, u32> {
         let slots = &self.modules[module].slots;
         let Some(overrides) = &import.overrides else { return slots.clone() };
         if overrides.is_empty() {

@@ -22,7 +22,7 @@ pub struct Program {
     /// Every attribute and constant of every file; shapes hold their values in this order.
     pub attributes: Vec<Attribute>,
     /// The order in which attributes are evaluated: what another needs comes first.
-    pub order: Vec<u16>,
+    pub order: Vec<u32>,
     /// The rules of the main file that can begin: those without parameters, by name.
     pub starts: Vec<(Arc<str>, u32)>,
     /// `@Zone(kind, zone)` on rules of the main file.
@@ -108,9 +108,9 @@ pub enum Code {
     /// A value.
     Value(Value),
     /// A parameter or local of the rule or function, by position.
-    Param(u16),
+    Param(u32),
     /// An attribute, by slot.
-    Attribute(u16),
+    Attribute(u32),
     /// A function of a file.
     Function(u32, Box<[Code]>),
     /// A built-in function or shape attribute.
