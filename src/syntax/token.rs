@@ -115,8 +115,8 @@ impl Scanner<'_> {
             match byte {
                 b'\n' | b'\r' => line = true,
                 b' ' | b'\t' | 0x0b | 0x0c => {}
-                b'#' => self.to_line_end(),
-                b'/' if self.peek(1) == Some(b'/') => self.to_line_end(),
+                b'#' => self.skip_line(),
+                b'/' if self.peek(1) == Some(b'/') => self.skip_line(),
                 b'/' if self.peek(1) == Some(b'*') => match self.text[self.at + 2..].find("*/") {
                     Some(end) => self.at += end + 3,
                     None => return line,
@@ -132,7 +132,7 @@ impl Scanner<'_> {
     }
 
     /// Stops before the line's last byte, which the caller steps over.
-    fn to_line_end(&mut self) {
+    fn skip_line(&mut self) {
         let rest = &self.bytes[self.at..];
         let length = rest.iter().position(|b| matches!(b, b'\n' | b'\r')).unwrap_or(rest.len());
         self.at += length.max(1) - 1;
