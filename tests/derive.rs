@@ -21,6 +21,11 @@ use bosquet::world::MemoryWorld;
 use glam::DVec2;
 use proptest::prelude::*;
 
+/// What fails is shown; it becomes a section of the suite rather than a file of seeds.
+fn cases(count: u32) -> ProptestConfig {
+    ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(count) }
+}
+
 /// Rules checked from text.
 fn program(rules: &str) -> (Program, Vec<Diagnostic>) {
     check(&MemoryWorld::default().with("main.cga", rules), "main.cga")
@@ -72,7 +77,7 @@ const DIVISIONS: &[&str] = &[
 ];
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(cases(48))]
 
     #[test]
     fn parts_sum_to_the_whole(polygon in polygons::polygon(), division in 0..DIVISIONS.len()) {
@@ -269,7 +274,7 @@ const WORDS: &[&str] = &[
 ];
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(cases(300))]
 
     #[test]
     fn any_rules_are_survived(words in prop::collection::vec(0..WORDS.len(), 0..60)) {
@@ -367,6 +372,17 @@ fn long_rows_of_definitions_do_not_take_the_stack() {
     survives(format!("Lot --> split(x) {{ {} }}", parts.join(" | ")).as_bytes());
     let attributes: String = (0..70_000).map(|i| format!("attr a{i} = {i}\n")).collect();
     survives(format!("{attributes}Lot --> print(a69999) A.").as_bytes());
+}
+
+#[test]
+fn deep_nests_fit_the_stack() {
+    for (open, close) in
+        [("[ ", " ]"), ("split(x) { '1 : ", " }"), ("case 1 < 2 : ", " else : B."), ("50% : ", " else : B.")]
+    {
+        for depth in [100, 240, 500, 5_000] {
+            survives(format!("Lot --> {}A.{}", open.repeat(depth), close.repeat(depth)).as_bytes());
+        }
+    }
 }
 
 #[test]

@@ -62,6 +62,18 @@ fn the_suite_holds() {
     assert!(failures.is_empty(), "{} failures\n\n{}", failures.len(), failures.join("\n\n"));
 }
 
+#[test]
+fn every_operation_and_function_has_a_section() {
+    let sections = section::sections(&tests().join("suite"));
+    let text: String = sections.iter().flat_map(|s| &s.files).map(section::RuleFile::text).collect();
+    let is_word = |c: char| c.is_alphanumeric() || c == '_' || c == '.';
+    let words: std::collections::BTreeSet<&str> = text.split(|c| !is_word(c)).collect();
+    let operations = bosquet::ops::OPERATIONS.iter().map(|operation| operation.spec.name);
+    let missing: Vec<&str> =
+        operations.chain(bosquet::functions::all().map(|f| f.name)).filter(|name| !words.contains(name)).collect();
+    assert!(missing.is_empty(), "no section of the suite uses {missing:?}");
+}
+
 /// Names that stand twice, stages that are none, references that nobody reads.
 fn not_in_order(sections: &[Section]) -> Vec<String> {
     let (mut seen, mut failures) = (BTreeMap::new(), Vec::new());

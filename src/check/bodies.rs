@@ -156,11 +156,11 @@ impl Checker {
     /// `import.start`: the start rule of an imported file.
     fn start_of(&self, module: usize) -> Option<u32> {
         let items = self.loaded.modules[module].tree.items.iter();
-        let start = items.filter_map(|item| match &item.kind {
+        let mut start = items.filter_map(|item| match &item.kind {
             ast::ItemKind::Rule(rule) if rule.mark == Some(ast::RuleMark::Start) => Some(rule.name.text.clone()),
             _ => None,
         });
-        start.last().and_then(|name| self.names.rules[module].get(&(name, 0)).copied())
+        start.next_back().and_then(|name| self.names.rules[module].get(&(name, 0)).copied())
     }
 
     fn other_rules(&self, name: &Arc<str>) -> Vec<String> {

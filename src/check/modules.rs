@@ -53,8 +53,11 @@ pub(super) struct Module {
     /// Its attributes and constants by name.
     pub slots: BTreeMap<Arc<str>, u32>,
     /// Rules that its importers put in place of its own, by name and number of parameters: which module, item and override.
-    pub replaced: BTreeMap<(Arc<str>, usize), (usize, usize, Option<usize>)>,
+    pub replaced: BTreeMap<(Arc<str>, usize), Replacement>,
 }
+
+/// A rule that stands in for an imported one: its module, item, and the override where it is one.
+pub(super) type Replacement = (usize, usize, Option<usize>);
 
 /// Loads `path` and what it imports.
 pub(super) fn load(world: &dyn World, path: &str) -> Loaded {
@@ -109,10 +112,10 @@ impl Loaded {
             if let ItemKind::Style { name, .. } = &definition.kind {
                 self.error("unbuilt", name.span, "styles are parsed, but not derived yet".into());
             }
-            if let ItemKind::Import(import) = &definition.kind {
-                if self.import(world, index, item, import, &chain).is_none() {
-                    self.modules[index].missing.insert(import.name.text.clone());
-                }
+            if let ItemKind::Import(import) = &definition.kind
+                && self.import(world, index, item, import, &chain).is_none()
+            {
+                self.modules[index].missing.insert(import.name.text.clone());
             }
         }
         self.replace_rules(index, &tree);

@@ -73,9 +73,9 @@ struct Task {
 /// Why a rule ends early.
 enum Stop {
     /// This shape is left out.
-    Branch(Diagnostic),
+    Branch(Box<Diagnostic>),
     /// A limit: the lot ends here.
-    Lot(Diagnostic),
+    Lot(Box<Diagnostic>),
 }
 
 struct Engine<'a> {
@@ -174,9 +174,9 @@ impl Engine<'_> {
         while let Some(task) = self.queue.pop() {
             if let Err(stop) = self.within_limits(&task).and_then(|()| self.task(task)) {
                 match stop {
-                    Stop::Branch(diagnostic) => self.outcome.diagnostics.push(diagnostic),
+                    Stop::Branch(diagnostic) => self.outcome.diagnostics.push(*diagnostic),
                     Stop::Lot(diagnostic) => {
-                        self.outcome.diagnostics.push(diagnostic);
+                        self.outcome.diagnostics.push(*diagnostic);
                         break;
                     }
                 }
@@ -203,7 +203,7 @@ impl Engine<'_> {
         };
         let span = task.rule.map_or(Span::default(), |r| self.program.rules[r as usize].span);
         let hint = "a rule that comes back to itself needs a `case` that ends it";
-        Err(Stop::Lot(self.diagnostic("limit", span, message, task.parent).hint(hint)))
+        Err(Stop::Lot(Box::new(self.diagnostic("limit", span, message, task.parent).hint(hint))))
     }
 
     fn task(&mut self, task: Task) -> Result<(), Stop> {
@@ -333,7 +333,7 @@ impl Engine<'_> {
         let mut inner = Current::new(shape, self.branch(current.branch));
         match self.steps(body, turn, &mut inner) {
             Err(Stop::Branch(diagnostic)) => {
-                self.outcome.diagnostics.push(diagnostic);
+                self.outcome.diagnostics.push(*diagnostic);
                 current.used = true;
                 return Ok(());
             }
@@ -459,7 +459,7 @@ impl Engine<'_> {
     ) -> Result<(), Stop> {
         if self.outcome.nodes.len() + self.queue.len() + parts.len() > self.options.limits.shapes {
             let message = format!("the lot has more shapes than the limit `shapes` of {}", self.options.limits.shapes);
-            return Err(Stop::Lot(self.diagnostic("limit", application.span, message, turn.node)));
+            return Err(Stop::Lot(Box::new(self.diagnostic("limit", application.span, message, turn.node))));
         }
         for (index, part) in parts.into_iter().enumerate() {
             let mut shape = part.shape;
@@ -467,7 +467,7 @@ impl Engine<'_> {
             let Some(body) = application.bodies.get(part.entry as usize) else { continue };
             let current = Current::new(shape, self.branch(branch));
             match self.body(body, turn, current) {
-                Err(Stop::Branch(diagnostic)) => self.outcome.diagnostics.push(diagnostic),
+                Err(Stop::Branch(diagnostic)) => self.outcome.diagnostics.push(*diagnostic),
                 other => other?,
             }
         }
@@ -515,12 +515,13 @@ impl Engine<'_> {
     }
 
     fn failed(&self, failure: Failure, turn: &Turn) -> Stop {
-        Stop::Branch(self.diagnostic("value", failure.span, failure.message, turn.node))
+        Stop::Branch(Box::new(self.diagnostic("value", failure.span, failure.message, turn.node)))
     }
 
     fn problem(&self, span: Span, problem: Problem, turn: &Turn) -> Stop {
         let mut diagnostic = self.diagnostic("geometry", span, problem.message, turn.node);
         diagnostic.hints = problem.hints;
+        let diagnostic = Box::new(diagnostic);
         if problem.fatal { Stop::Lot(diagnostic) } else { Stop::Branch(diagnostic) }
     }
 

@@ -82,9 +82,15 @@ pub struct Operation {
     pub spec: &'static Spec,
     /// It asks for what lies around the shape.
     pub looks_around: bool,
-    components: fn(&mut [Option<Value>], &Shape) -> Result<Vec<Component>, Problem>,
-    apply: fn(&mut [Option<Value>], &mut Shape, &Given) -> Result<Pieces, Problem>,
+    components: Components,
+    apply: Application,
 }
+
+/// Arguments, one per parameter, and a shape → what selectors choose among.
+type Components = fn(&mut [Option<Value>], &Shape) -> Result<Vec<Component>, Problem>;
+
+/// Arguments, one per parameter, and a shape → pieces; the shape is changed in place.
+type Application = fn(&mut [Option<Value>], &mut Shape, &Given) -> Result<Pieces, Problem>;
 
 /// What the engine hands to an operation beside the shape and its arguments.
 pub struct Given<'a> {
