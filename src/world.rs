@@ -15,7 +15,7 @@ pub enum WorldError {
     #[error("`{0}` lies outside the place's folder")]
     Outside(String),
     /// The file is larger than the limit.
-    #[error("`{path}` has {bytes} bytes, more than the limit of {limit}")]
+    #[error("`{path}` has {bytes} bytes, more than the limit `file` of {limit}")]
     TooLarge {
         /// The file.
         path: String,

@@ -1,6 +1,6 @@
 //! `bosquet check`: rule files, for people and for machines.
 
-use crate::cli::{Ended, disk::Disk, show};
+use crate::cli::{Ended, disk::Disk, limits::STACK, show};
 use bosquet::diag::{Diagnostic, Place};
 use bosquet::syntax::Source;
 use serde_json::json;
@@ -29,13 +29,25 @@ enum Format {
     Json,
 }
 
-/// Checks every file.
+/// Checks every file, with as much stack as a derivation has.
 pub fn run(arguments: &Arguments) -> Ended {
+    std::thread::scope(|scope| {
+        let thread = std::thread::Builder::new().stack_size(STACK).spawn_scoped(scope, || check(arguments));
+        match thread.map(std::thread::ScopedJoinHandle::join) {
+            Ok(Ok(ended)) => ended,
+            Ok(Err(panic)) => std::panic::resume_unwind(panic),
+            Err(error) => Ended::Usage(format!("the worker thread cannot be started: {error}")),
+        }
+    })
+}
+
+fn check(arguments: &Arguments) -> Ended {
     let mut records = Vec::new();
     let (mut errors, mut rules, mut found_any) = (false, 0, false);
     for file in &arguments.files {
         let folder = Path::new(file).parent().unwrap_or(Path::new("."));
-        let world = Disk::new(folder, arguments.allow_outside, arguments.limit_file);
+        let world = Disk::new(arguments.limit_file).open(folder);
+        let world = if arguments.allow_outside { world.open_all() } else { world };
         let (program, found) = bosquet::check::check(&world, file);
         errors |= found.iter().any(Diagnostic::is_error);
         found_any |= !found.is_empty();
@@ -46,10 +58,10 @@ pub fn run(arguments: &Arguments) -> Ended {
         }
     }
     if arguments.format == Format::Json {
-        println!("{}", serde_json::to_string_pretty(&records).unwrap_or_default());
+        show::print(format_args!("{}\n", serde_json::to_string_pretty(&records).unwrap_or_default()));
     } else if !found_any {
         let files = bosquet::text::counted(arguments.files.len(), "file");
-        eprintln!("{files}, {}: nothing to report", bosquet::text::counted(rules, "rule"));
+        show::tell(format_args!("{files}, {}: nothing to report", bosquet::text::counted(rules, "rule")));
     }
     if errors { Ended::Wrong } else { Ended::Well }
 }

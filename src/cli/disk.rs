@@ -1,29 +1,60 @@
-//! The world on disk: reads below one folder, up to a size; and files written whole or not at all.
+//! The world on disk: reads below the folders it was opened for, up to a size, and keeps in mind what was read; and
+//! files written whole or not at all.
 
 use bosquet::world::{World, WorldError};
+use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
-/// Files below a folder.
+/// Files below some folders. Paths are as the user would write them here.
 pub struct Disk {
-    root: Option<PathBuf>,
+    folders: Vec<PathBuf>,
+    is_open: bool,
     most_bytes: u64,
+    /// The hash of every file that was read.
+    hashes: Mutex<BTreeMap<String, String>>,
 }
 
 impl Disk {
-    /// What lies below `root`; everything where `outside` is allowed. Paths are as the user would write them here.
-    pub fn new(root: &Path, outside: bool, most_bytes: u64) -> Disk {
-        let root = if root.as_os_str().is_empty() { Path::new(".") } else { root };
-        Disk { root: (!outside).then(|| root.canonicalize().unwrap_or_else(|_| root.into())), most_bytes }
+    /// No folder yet; files up to a size.
+    pub fn new(most_bytes: u64) -> Disk {
+        Disk { folders: Vec::new(), is_open: false, most_bytes, hashes: Mutex::default() }
+    }
+
+    /// The same with what lies below one more folder; the empty path is the working directory.
+    pub fn open(mut self, folder: &Path) -> Disk {
+        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+        self.folders.extend(folder.canonicalize());
+        self
+    }
+
+    /// The same with everything there is.
+    pub fn open_all(self) -> Disk {
+        Disk { is_open: true, ..self }
+    }
+
+    /// A file that the user named, wherever it lies.
+    pub fn named(&self, path: &str) -> Result<Arc<[u8]>, WorldError> {
+        let data = std::fs::metadata(path).map_err(|error| unreadable(path, &error))?;
+        if data.len() > self.most_bytes {
+            return Err(WorldError::TooLarge { path: path.into(), bytes: data.len(), limit: self.most_bytes });
+        }
+        let bytes: Arc<[u8]> = std::fs::read(path).map_err(|error| unreadable(path, &error))?.into();
+        let hash = blake3::hash(&bytes).to_hex().to_string();
+        self.hashes.lock().unwrap_or_else(PoisonError::into_inner).insert(path.into(), hash);
+        Ok(bytes)
+    }
+
+    /// Every file that was read so far with its BLAKE3 hash in hexadecimal, by path.
+    pub fn inputs(&self) -> Vec<(String, String)> {
+        self.hashes.lock().unwrap_or_else(PoisonError::into_inner).clone().into_iter().collect()
     }
 
     fn read(&self, path: &str) -> Result<Arc<[u8]>, WorldError> {
         let real = Path::new(path).canonicalize().map_err(|error| unreadable(path, &error))?;
-        if self.root.as_ref().is_some_and(|root| !real.starts_with(root)) {
-            return Err(WorldError::Outside(path.into()));
-        }
-        read_file(path, self.most_bytes).map(Into::into)
+        let is_inside = self.is_open || self.folders.iter().any(|folder| real.starts_with(folder));
+        if is_inside { self.named(path) } else { Err(WorldError::Outside(path.into())) }
     }
 }
 
@@ -35,15 +66,6 @@ impl World for Disk {
     fn asset(&self, path: &str) -> Result<Arc<[u8]>, WorldError> {
         self.read(path)
     }
-}
-
-/// A file that the user named, wherever it lies.
-pub fn read_file(path: &str, most_bytes: u64) -> Result<Vec<u8>, WorldError> {
-    let data = std::fs::metadata(path).map_err(|error| unreadable(path, &error))?;
-    if data.len() > most_bytes {
-        return Err(WorldError::TooLarge { path: path.into(), bytes: data.len(), limit: most_bytes });
-    }
-    std::fs::read(path).map_err(|error| unreadable(path, &error))
 }
 
 fn unreadable(path: &str, error: &std::io::Error) -> WorldError {

@@ -11,7 +11,8 @@ pub struct LimitArguments {
     limit_depth: usize,
     /// Functions inside functions
     #[arg(long, value_name = "N", default_value_t = 200, help_heading = "Limits")]
-    limit_calls: usize,
+    #[arg(value_parser = clap::value_parser!(u16).range(1..=4_000))]
+    limit_calls: u16,
     /// Shapes of one lot
     #[arg(long, value_name = "N", default_value_t = 5_000_000, help_heading = "Limits")]
     limit_shapes: usize,
@@ -26,12 +27,22 @@ pub struct LimitArguments {
     pub limit_file: u64,
 }
 
+/// Room for checking and for rules that are not functions, bytes.
+pub const STACK: usize = 256 << 20;
+/// Room for one function, whose expression may be 512 levels high, bytes; half of it was ever seen in use.
+const STACK_PER_CALL: usize = 1 << 20;
+
 impl LimitArguments {
+    /// The stack of a worker: functions are evaluated recursively, within the limit of calls.
+    pub fn stack(&self) -> usize {
+        STACK.max(usize::from(self.limit_calls) * STACK_PER_CALL)
+    }
+
     /// The limits of a derivation.
     pub fn limits(&self) -> Limits {
         Limits {
             depth: self.limit_depth,
-            calls: self.limit_calls,
+            calls: self.limit_calls.into(),
             shapes: self.limit_shapes,
             children: self.limit_children,
             time: Duration::from_secs(self.limit_time),

@@ -5,6 +5,7 @@
 mod check;
 mod derive;
 mod disk;
+mod job;
 mod limits;
 mod new;
 mod ops;
@@ -59,7 +60,7 @@ pub fn main() -> ExitCode {
         Ended::Well => ExitCode::SUCCESS,
         Ended::Wrong => ExitCode::from(1),
         Ended::Usage(message) => {
-            eprintln!("error: {message}");
+            show::tell(format_args!("error: {message}"));
             ExitCode::from(2)
         }
         Ended::Stopped => ExitCode::from(130),

@@ -1,7 +1,7 @@
 //! `bosquet new`: a starter place that derives.
 
-use crate::cli::Ended;
 use crate::cli::disk::write_all;
+use crate::cli::{Ended, show};
 use std::path::PathBuf;
 
 /// Arguments of `bosquet new`.
@@ -31,9 +31,9 @@ pub fn run(arguments: &Arguments) -> Ended {
     let files: Vec<(PathBuf, Vec<u8>)> =
         FILES.iter().map(|(name, text)| (folder.join(name), text.as_bytes().to_vec())).collect();
     if let Err(message) = write_all(&files) {
-        eprintln!("error: {message}");
+        show::tell(format_args!("error: {message}"));
         return Ended::Wrong;
     }
-    eprintln!("made {}; now: bosquet derive {}", folder.display(), folder.display());
+    show::tell(format_args!("made {}; now: bosquet derive {}", folder.display(), folder.display()));
     Ended::Well
 }

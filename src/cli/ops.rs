@@ -1,6 +1,7 @@
 //! `bosquet ops`: the manual, from the declarations.
 
 use crate::cli::Ended;
+use crate::cli::show::print;
 use bosquet::element::{Catalogue, Words};
 use bosquet::functions::{self, Function};
 use bosquet::ops::{OPERATIONS, Origin, Spec, UNBUILT_FUNCTIONS, UNBUILT_OPERATIONS, Unbuilt};
@@ -25,11 +26,11 @@ pub fn run(arguments: &Arguments) -> Ended {
             "functions": functions::all().map(function_json).collect::<Vec<_>>(),
             "unbuilt": unbuilt_json(),
         })),
-        (None, false) => print!("{}", overview()),
-        (Some("functions"), false) => functions::all().for_each(|f| print!("{}", function_line(f))),
-        (Some("covers"), false) => print!("{}", covers()),
-        (Some("elements"), false) => print!("{}", elements()),
-        (Some("unbuilt"), false) => print!("{}", unbuilt()),
+        (None, false) => print(overview()),
+        (Some("functions"), false) => functions::all().for_each(|f| print(function_line(f))),
+        (Some("covers"), false) => print(covers()),
+        (Some("elements"), false) => print(elements()),
+        (Some("unbuilt"), false) => print(unbuilt()),
         (Some(name), json) => return one(name, json),
     }
     Ended::Well
@@ -41,11 +42,11 @@ fn one(name: &str, as_json: bool) -> Ended {
     let missing = UNBUILT_OPERATIONS.iter().chain(UNBUILT_FUNCTIONS).find(|u| u.name == name);
     match (operation, function, missing) {
         (Some(operation), _, _) if as_json => print_json(&operation_json(operation.spec)),
-        (Some(operation), _, _) => print!("{}", page(operation.spec)),
+        (Some(operation), _, _) => print(page(operation.spec)),
         (None, Some(function), _) if as_json => print_json(&function_json(function)),
-        (None, Some(function), _) => print!("{}", function_line(function)),
+        (None, Some(function), _) => print(function_line(function)),
         (None, None, Some(unbuilt)) => {
-            println!("{name}: {}. CityEngine's; bosquet does not have it yet.", unbuilt.does)
+            print(format_args!("{name}: {}. CityEngine's; bosquet does not have it yet.\n", unbuilt.does))
         }
         (None, None, None) => {
             let built = OPERATIONS.iter().flat_map(|o| o.spec.aliases.iter().copied().chain([o.spec.name]));
@@ -58,7 +59,7 @@ fn one(name: &str, as_json: bool) -> Ended {
 }
 
 fn print_json(value: &serde_json::Value) {
-    println!("{}", serde_json::to_string_pretty(value).unwrap_or_default());
+    print(format_args!("{}\n", serde_json::to_string_pretty(value).unwrap_or_default()));
 }
 
 fn overview() -> String {

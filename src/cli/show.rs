@@ -1,12 +1,23 @@
-//! Diagnostics for people: excerpt, caret, hints, and the rules on the way down.
+//! What the command says: results, words, and diagnostics with excerpt, caret, hints, and the rules on the way down.
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use bosquet::diag::{Diagnostic, Place, Severity};
 use bosquet::syntax::Source;
-use std::io::IsTerminal;
+use std::fmt::Display;
+use std::io::{IsTerminal, Write};
 
 /// Diagnostics shown in full; further ones are counted.
 const MOST_SHOWN: usize = 50;
+
+/// A result, on standard output. Whoever reads it may leave (`bosquet ops | head`): that stops nothing.
+pub fn print(text: impl Display) {
+    let _ = write!(std::io::stdout().lock(), "{text}");
+}
+
+/// A line for people, on standard error.
+pub fn tell(line: impl Display) {
+    let _ = writeln!(std::io::stderr().lock(), "{line}");
+}
 
 /// Writes diagnostics to stderr, the worst first where there are too many, and a last line that counts them.
 pub fn diagnostics(found: &[Diagnostic], sources: &[Source]) {
@@ -14,9 +25,9 @@ pub fn diagnostics(found: &[Diagnostic], sources: &[Source]) {
     if shown.len() > MOST_SHOWN {
         shown.sort_by_key(|d| std::cmp::Reverse(d.severity));
     }
-    shown.iter().take(MOST_SHOWN).for_each(|diagnostic| eprintln!("{}\n", text(diagnostic, sources)));
+    shown.iter().take(MOST_SHOWN).for_each(|diagnostic| tell(text(diagnostic, sources) + "\n"));
     if found.len() > MOST_SHOWN {
-        eprintln!("… and {} more: the report (`-o report.json`) holds all\n", found.len() - MOST_SHOWN);
+        tell(format_args!("… and {} more: the report (`-o report.json`) holds all\n", found.len() - MOST_SHOWN));
     }
     let count = |severity| found.iter().filter(|d| d.severity == severity).count();
     let (errors, lints) = (count(Severity::Error), count(Severity::Lint));
@@ -24,7 +35,7 @@ pub fn diagnostics(found: &[Diagnostic], sources: &[Source]) {
     let words: Vec<String> =
         parts.iter().filter(|(n, _)| *n > 0).map(|(n, word)| bosquet::text::counted(*n, word)).collect();
     if !words.is_empty() {
-        eprintln!("{}", words.join(", "));
+        tell(words.join(", "));
     }
 }
 

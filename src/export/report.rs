@@ -20,6 +20,8 @@ pub struct ReportInput<'a> {
     pub inputs: Vec<(String, String)>,
     /// The figures of the scene.
     pub summary: Summary,
+    /// The regions on which no rule started, by id.
+    pub without_rule: Vec<String>,
     /// How often each rule was applied.
     pub counts_by_rule: BTreeMap<String, usize>,
     /// How many shapes carry each symbol, leaves and inner ones.

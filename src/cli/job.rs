@@ -1,0 +1,179 @@
+//! What a run starts from: the arguments of `bosquet derive` over the manifest of the place.
+
+use crate::cli::derive::Arguments;
+use crate::cli::outputs::{self, Output};
+use crate::cli::place::{self, Manifest, Plan};
+use bosquet::export::plan::{PlanOptions, PlanSize};
+use bosquet::geometry::Bounds;
+use std::path::{Path, PathBuf};
+
+/// Everything a run is asked for.
+pub struct Job {
+    /// The manifest, where the input is a place.
+    pub manifest: Option<String>,
+    /// The layout.
+    pub layout: String,
+    /// The rule file.
+    pub rules: String,
+    /// The folders that rules and catalogues may read from.
+    pub folders: Vec<PathBuf>,
+    /// The start rule for every region.
+    pub start: Option<String>,
+    /// The seed.
+    pub seed: u64,
+    /// Values of attributes, later ones over earlier ones.
+    pub set: Vec<(String, toml::Value)>,
+    /// Further catalogues, later ones over earlier ones.
+    pub catalogues: Vec<String>,
+    /// What is written.
+    pub outputs: Vec<Output>,
+    /// How plans are drawn.
+    pub plan: PlanOptions,
+    /// The title of plans.
+    pub title: String,
+}
+
+impl Job {
+    /// Arguments over manifest; the error is for people.
+    pub fn new(arguments: &Arguments) -> Result<Job, String> {
+        let place = place::find(&arguments.input);
+        let manifest = place.as_deref().map(place::read).transpose()?;
+        let folder = place.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
+        let here = |path: &String| folder.join(path).to_string_lossy().into_owned();
+        let (layout, rules) = match &manifest {
+            Some(Manifest { layout, rules, .. }) => (here(layout), Some(here(rules))),
+            None => (arguments.input.to_string_lossy().into_owned(), None),
+        };
+        if manifest.is_none() && !arguments.input.exists() {
+            return Err(format!("there is no file or folder `{layout}`"));
+        }
+        let rules = arguments.rules.clone().or(rules).ok_or("a layout needs rules: `--rules FILE.cga`")?;
+        let named = arguments.catalogue.iter().chain(&arguments.rules).map(|path| folder_of(path));
+        let folders = place.is_some().then(|| folder.to_path_buf()).into_iter().chain(named).collect();
+        let manifest = manifest.unwrap_or_default();
+        let stem = stem(&arguments.input);
+        let job = Job {
+            folders,
+            start: arguments.start.clone().or(manifest.start),
+            seed: arguments.seed.or(manifest.seed).unwrap_or(1),
+            set: set(manifest.attributes, &arguments.set)?,
+            catalogues: manifest.catalogues.iter().map(here).chain(arguments.catalogue.iter().cloned()).collect(),
+            outputs: outputs(&arguments.output, &manifest.outputs, &stem)?,
+            plan: plan(arguments, &manifest.plan, manifest.subtitle)?,
+            title: manifest.title.unwrap_or(stem),
+            manifest: place.map(|path| path.to_string_lossy().into_owned()),
+            layout,
+            rules,
+        };
+        job.spare_inputs()?;
+        Ok(job)
+    }
+
+    /// An error where an output would be written over what the run reads.
+    fn spare_inputs(&self) -> Result<(), String> {
+        let inputs = self.catalogues.iter().chain([&self.layout, &self.rules]).chain(&self.manifest);
+        let real: Vec<PathBuf> = inputs.filter_map(|path| Path::new(path).canonicalize().ok()).collect();
+        let is_input = |output: &&Output| output.path.canonicalize().is_ok_and(|path| real.contains(&path));
+        match self.outputs.iter().find(is_input) {
+            Some(output) => Err(format!("`{}` is read by this run: write to another file", output.path.display())),
+            None => Ok(()),
+        }
+    }
+}
+
+fn folder_of(path: &str) -> PathBuf {
+    Path::new(path).parent().unwrap_or(Path::new("")).to_path_buf()
+}
+
+/// The attributes of the manifest, and those of the command line after them.
+fn set(
+    manifest: impl IntoIterator<Item = (String, toml::Value)>,
+    arguments: &[String],
+) -> Result<Vec<(String, toml::Value)>, String> {
+    manifest.into_iter().map(Ok).chain(arguments.iter().map(|text| assignment(text))).collect()
+}
+
+/// The outputs asked for, else the manifest's, else the plan as SVG and PNG.
+fn outputs(arguments: &[String], manifest: &[String], stem: &str) -> Result<Vec<Output>, String> {
+    let usual = [format!("plan:{stem}.svg"), format!("plan:{stem}.png")];
+    let asked = [arguments, manifest].into_iter().find(|list| !list.is_empty()).unwrap_or(&usual);
+    let outputs = asked.iter().map(|text| Output::parse(text)).collect::<Result<Vec<_>, _>>()?;
+    let mut taken = Vec::new();
+    for output in &outputs {
+        let place = target(&output.path)?;
+        if taken.contains(&place) {
+            return Err(format!("`{}` would be written twice", output.path.display()));
+        }
+        taken.push(place);
+    }
+    Ok(outputs)
+}
+
+/// Where a file will really lie; an error where it cannot, told before a long run and not after it.
+fn target(path: &Path) -> Result<PathBuf, String> {
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let real = folder.canonicalize().ok().filter(|folder| folder.is_dir());
+    match (real, path.file_name()) {
+        (Some(folder), Some(name)) if !path.is_dir() => Ok(folder.join(name)),
+        (Some(_), _) => Err(format!("`{}` is a folder: a file is wanted", path.display())),
+        (None, _) => Err(format!("there is no folder `{}` to write `{}` in", folder.display(), path.display())),
+    }
+}
+
+/// The name of outputs: the place's or layout's own.
+fn stem(input: &Path) -> String {
+    let real = input.canonicalize().unwrap_or_else(|_| input.into());
+    let named = if real.is_dir() { real.file_name() } else { real.file_stem() };
+    let stem = named.map_or_else(|| "plan".into(), |name| name.to_string_lossy().into_owned());
+    match real.parent().and_then(Path::file_name) {
+        Some(folder) if real.is_file() && stem == "bosquet" => folder.to_string_lossy().into_owned(),
+        _ => stem,
+    }
+}
+
+fn assignment(text: &str) -> Result<(String, toml::Value), String> {
+    match text.split_once('=') {
+        Some((name, value)) if !name.trim().is_empty() => {
+            Ok((name.trim().into(), toml::Value::String(value.trim().into())))
+        }
+        _ => Err(format!("`--set {text}` is not of the form NAME=VALUE")),
+    }
+}
+
+fn plan(arguments: &Arguments, plan: &Plan, subtitle: Option<String>) -> Result<PlanOptions, String> {
+    let usual = PlanOptions::default();
+    let scale = match (&arguments.scale, &plan.scale) {
+        (Some(text), _) => Some(place::scale(text)?),
+        (None, Some(toml::Value::String(text))) => Some(place::scale(text)?),
+        (None, Some(value)) => Some(place::scale(&value.to_string())?),
+        (None, None) => None,
+    };
+    let rotation = arguments.rotate.or(plan.rotation).unwrap_or(0.0);
+    if !rotation.is_finite() {
+        return Err("a plan cannot be turned by that".into());
+    }
+    Ok(PlanOptions {
+        scale,
+        size: arguments.size.as_deref().map_or(Ok(PlanSize::Auto), outputs::size)?,
+        rotation,
+        codes: arguments.codes || plan.codes.unwrap_or(usual.codes),
+        names: !arguments.no_names && plan.names.unwrap_or(usual.names),
+        legend: !arguments.no_legend && plan.legend.unwrap_or(usual.legend),
+        title: None,
+        subtitle,
+        extent: arguments.extent.as_deref().map(extent).transpose()?,
+    })
+}
+
+fn extent(text: &str) -> Result<Bounds, String> {
+    let numbers: Vec<f64> = text.split(',').filter_map(|n| n.trim().parse().ok()).collect();
+    match numbers.as_slice() {
+        [x0, y0, x1, y1] if x0 < x1 && y0 < y1 && numbers.iter().all(|n| n.is_finite()) => {
+            Ok(Bounds { min: glam::DVec2::new(*x0, *y0), max: glam::DVec2::new(*x1, *y1) })
+        }
+        _ => Err(format!("`{text}` is not an extent: write it as west, south, east, north in metres")),
+    }
+}
