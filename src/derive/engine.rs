@@ -36,7 +36,7 @@ pub(super) fn lot(
     let region = &layout.regions[index];
     let symbol = program.rules[rule as usize].symbol;
     let start = program.symbols[symbol as usize].clone();
-    let mut shape = initial::shape(region, initial::seed(region, options.seed));
+    let mut shape = Box::new(initial::shape(region, initial::seed(region, options.seed)));
     let looking = program.looks_around;
     let mut engine = Engine {
         program,
@@ -56,9 +56,10 @@ pub(super) fn lot(
     engine.outcome
 }
 
-/// A shape that waits for its rule.
+/// A shape that waits for its rule. Shapes are large and pass through many hands, so they stay in their box from the
+/// operation that made them to the leaf.
 struct Task {
-    shape: Shape,
+    shape: Box<Shape>,
     parent: NodeId,
     symbol: u32,
     rule: Option<u32>,
@@ -96,7 +97,7 @@ struct Turn {
 
 /// The current shape and what became of it so far.
 struct Current {
-    shape: Shape,
+    shape: Box<Shape>,
     random: Random,
     /// The scope when the rule, piece or bracket began: what `center` centres in.
     around: Scope,
@@ -119,7 +120,7 @@ struct Heir {
 }
 
 impl Current {
-    fn new(shape: Shape) -> Current {
+    fn new(shape: Box<Shape>) -> Current {
         let random = shape.seed.draw("rand");
         Current { around: shape.scope, shape, random, count: 0, used: false, deleted: false, heir: None }
     }
@@ -334,9 +335,9 @@ impl Engine<'_> {
         }
     }
 
-    fn succeed(&mut self, heir: Heir, shape: Shape, turn: &Turn) {
+    fn succeed(&mut self, heir: Heir, mut shape: Box<Shape>, turn: &Turn) {
         let Heir { symbol, rule, args, seed } = heir;
-        let shape = Shape { seed, ..shape };
+        shape.seed = seed;
         self.queue.push(Task { shape, parent: turn.node, symbol, rule, args, depth: turn.depth + 1 });
     }
 
@@ -409,7 +410,7 @@ impl Engine<'_> {
             return Err(Stop::Lot(self.diagnostic("limit", application.span, message, turn.node)));
         }
         for (index, part) in parts.into_iter().enumerate() {
-            let mut shape = part.shape;
+            let mut shape = Box::new(part.shape);
             shape.seed = seed.child(index as u64);
             let Some(body) = application.bodies.get(part.entry as usize) else { continue };
             match self.body(body, turn, Current::new(shape)) {
@@ -435,7 +436,7 @@ impl Engine<'_> {
         }
     }
 
-    fn leaf(&mut self, node: NodeId, shape: Shape) {
+    fn leaf(&mut self, node: NodeId, shape: Box<Shape>) {
         if self.program.looks_around && shape.is_closed() {
             self.intra.add(Occluder { label: None, node: Some(node), footprint: shape.footprint() });
         }
