@@ -24,6 +24,9 @@ const CLOCK: usize = 1024;
 /// Arguments of a rule; most have none, and waiting shapes shall be small.
 type Args = Box<[Value]>;
 
+/// Arguments of an operation, in the order of its parameters.
+type Values = SmallVec<[Option<Value>; 6]>;
+
 /// Derives one region.
 pub(super) fn lot(
     program: &Program,
@@ -342,13 +345,14 @@ impl Engine<'_> {
     }
 
     fn application(&mut self, application: &Application, turn: &Turn, current: &mut Current) -> Result<(), Stop> {
-        let mut frame = self.frame(turn, current);
         let cuts = match &application.block {
-            Block::Cuts(cuts) => select::cuts(cuts, &mut frame),
-            _ => Ok(Vec::new()),
+            Block::Cuts(cuts) => {
+                select::cuts(cuts, &mut self.frame(turn, current)).map_err(|f| self.failed(f, turn))?
+            }
+            _ => Vec::new(),
         };
-        let cuts = cuts.map_err(|f| self.failed(f, turn))?;
-        let mut values = self.arguments(application, turn, current)?;
+        let mut values = Values::new();
+        self.arguments(application, turn, current, &mut values)?;
         let chosen = match &application.block {
             Block::Selectors(selectors) => {
                 let components = application.operation.components(&mut values.clone(), &current.shape);
@@ -388,19 +392,16 @@ impl Engine<'_> {
         application: &Application,
         turn: &Turn,
         current: &mut Current,
-    ) -> Result<SmallVec<[Option<Value>; 6]>, Stop> {
-        let mut values = SmallVec::with_capacity(application.args.len());
+        values: &mut Values,
+    ) -> Result<(), Stop> {
         for arg in &application.args {
-            let value = match arg {
-                Some(code) => {
-                    let value = self.frame(turn, current).with(|n, a| evaluate::evaluate(code, n, a));
-                    Some(value.map_err(|f| self.failed(f, turn))?)
-                }
-                None => None,
-            };
-            values.push(value);
+            let value = arg.as_ref().map(|code| match code.known() {
+                Some(value) => Ok(value.clone()),
+                None => self.frame(turn, current).with(|n, a| evaluate::evaluate(code, n, a)),
+            });
+            values.push(value.transpose().map_err(|f| self.failed(f, turn))?);
         }
-        Ok(values)
+        Ok(())
     }
 
     /// Runs the block's bodies on the pieces; a piece that fails is left out and the others go on.
