@@ -5,7 +5,11 @@
 /// Case and underscores count little: `SetBack` finds `setback`. Cost: linear in the candidates.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let folded = fold(word);
-    let allowed = (folded.chars().count() / 3).clamp(1, 3);
+    // One letter more or less makes any other word of two.
+    let allowed = match folded.chars().count() {
+        0..=2 => 0,
+        letters => (letters / 3).clamp(1, 3),
+    };
     candidates
         .into_iter()
         .filter(|c| *c != word)
@@ -77,6 +81,7 @@ mod tests {
         assert_eq!(nearest("SetBack", names), Some("setback"));
         assert_eq!(nearest("extrdue", names), Some("extrude"));
         assert_eq!(nearest("window", names), None);
+        assert_eq!(nearest("A", ["B", "C"]), None);
     }
 
     #[test]

@@ -104,12 +104,17 @@ impl Checker {
             self.tell(Diagnostic::error("unknown-name", span, message).did_you_mean(near.as_deref()));
             return None;
         }
-        if !call.leaf && !self.is_cover(name) {
+        if !call.leaf && !self.is_cover(name) && !self.has_syntax_errors() {
             let message = format!("`{name}` has no rule: it is a leaf");
             let hint = format!("write `{name}.` where that is meant");
             self.tell(Diagnostic::lint("leaf", span, message).did_you_mean(near.as_deref()).hint(hint));
         }
         Some(self.successor(call, None))
+    }
+
+    /// A rule that could not be read is missing: its name is no leaf then.
+    fn has_syntax_errors(&self) -> bool {
+        self.diagnostics.iter().any(|d| d.is_error() && d.code.starts_with("syntax"))
     }
 
     /// Whether a leaf's name says what it is made of.

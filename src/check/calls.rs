@@ -165,7 +165,7 @@ impl Checker {
             *next += 1;
             let skipped = match (param.kind, param.default) {
                 (ParamKind::Choice(words), Some(_)) => {
-                    !is_word(value, words) && self.fits_later(&spec.params[*next..], value)
+                    !is_word(value, words) && self.fits_later(words, &spec.params[*next..], value)
                 }
                 _ => false,
             };
@@ -175,10 +175,14 @@ impl Checker {
         }
     }
 
-    /// Whether a later parameter can take the argument.
-    fn fits_later(&self, rest: &[Param], value: &Expr) -> bool {
+    /// Whether a later parameter is rather meant than one of `words`, which the argument is not.
+    fn fits_later(&self, words: &[&str], rest: &[Param], value: &Expr) -> bool {
         let chosen = |param: &Param| matches!(param.kind, ParamKind::Choice(words) if is_word(value, words));
-        !rest.is_empty() && (self.is_value(value) || rest.iter().any(chosen))
+        let slip = match &value.kind {
+            ExprKind::Call(name, None) => nearest(name, words.iter().copied()).is_some(),
+            _ => false,
+        };
+        !rest.is_empty() && (self.is_value(value) || rest.iter().any(chosen) || !slip)
     }
 
     /// Whether an expression is something else than a bare word.

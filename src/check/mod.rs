@@ -5,7 +5,6 @@ mod annotations;
 mod bodies;
 mod calls;
 mod expressions;
-mod library;
 mod modules;
 mod names;
 mod program;

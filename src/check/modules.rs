@@ -170,7 +170,7 @@ impl Loaded {
             self.error("import", span, format!("imports are nested deeper than {DEEPEST_IMPORT}"));
             return;
         }
-        let bytes = match library(&import.path.text).map_or_else(|| world.source(&path), Ok) {
+        let bytes = match world.source(&path) {
             Ok(bytes) => bytes,
             Err(error) => {
                 let hint = "paths of imports are relative to the file that imports";
@@ -263,9 +263,4 @@ impl Loaded {
     fn error(&mut self, code: &'static str, span: Span, message: String) {
         self.diagnostics.push(Diagnostic::error(code, span, message));
     }
-}
-
-/// A file of the pattern library, built into the binary: `import g : "bosquet/garden.cga"`.
-fn library(path: &str) -> Option<Arc<[u8]>> {
-    crate::check::library::find(path).map(|text| text.as_bytes().into())
 }

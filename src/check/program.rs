@@ -243,9 +243,12 @@ impl Program {
         self.attributes.iter().enumerate().filter(|(_, a)| a.public)
     }
 
-    /// The slot of a public attribute.
+    /// The slot of a public attribute: by its whole name, or by its own where only one import has it.
     pub fn slot(&self, name: &str) -> Option<usize> {
-        self.public_attributes().find(|(_, a)| &*a.name == name).map(|(slot, _)| slot)
+        let exact = self.public_attributes().find(|(_, a)| &*a.name == name);
+        let mut own = self.public_attributes().filter(|(_, a)| a.names().last() == Some(name));
+        let only = own.next().filter(|_| own.next().is_none());
+        exact.or(only).map(|(slot, _)| slot)
     }
 
     /// A rule as a step of a trace.
@@ -257,6 +260,14 @@ impl Program {
     /// The rule of the main file that can begin under this name.
     pub fn start_named(&self, name: &str) -> Option<u32> {
         self.starts.iter().find(|(n, _)| &**n == name).map(|(_, rule)| *rule)
+    }
+}
+
+impl Attribute {
+    /// What it is called, the import's name first, and then without it: `bosquet.room`, `room`.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        let own = self.name.rsplit('.').next().unwrap_or(&self.name);
+        [&*self.name, own].into_iter()
     }
 }
 

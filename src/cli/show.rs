@@ -40,7 +40,7 @@ fn text(diagnostic: &Diagnostic, sources: &[Source]) -> String {
         None => diagnostic.message.clone(),
     };
     let title = level.primary_title(message).id(diagnostic.code);
-    let mut groups = vec![match (&diagnostic.place, source(diagnostic, sources)) {
+    let mut group = match (&diagnostic.place, source(diagnostic, sources)) {
         (Place::Rule(span), Some(source)) => {
             let length = source.text().len();
             let (start, end) = ((span.start as usize).min(length), (span.end as usize).min(length));
@@ -49,15 +49,16 @@ fn text(diagnostic: &Diagnostic, sources: &[Source]) -> String {
         }
         (Place::Data(place), _) => title.element(annotate_snippets::Origin::path(place.to_string())),
         _ => Group::with_title(title),
-    }];
-    let hints = diagnostic.hints.iter().map(|hint| Group::with_title(Level::HELP.secondary_title(hint.clone())));
-    groups.extend(hints);
-    if !diagnostic.trace.is_empty() {
-        let steps: Vec<String> = diagnostic.trace.iter().map(|step| format!("`{}`", step.rule)).collect();
-        groups.push(Group::with_title(Level::NOTE.secondary_title(format!("in {}", steps.join(" ← ")))));
+    };
+    for hint in &diagnostic.hints {
+        group = group.element(Level::HELP.message(hint.as_str()));
+    }
+    let steps: Vec<String> = diagnostic.trace.iter().map(|step| format!("`{}`", step.rule)).collect();
+    if !steps.is_empty() {
+        group = group.element(Level::NOTE.message(format!("in {}", steps.join(", in "))));
     }
     let renderer = if std::io::stderr().is_terminal() { Renderer::styled() } else { Renderer::plain() };
-    renderer.render(&groups)
+    renderer.render(&[group])
 }
 
 /// The file a diagnostic points into.

@@ -135,8 +135,10 @@ impl Engine<'_> {
         let attributes = &self.program.attributes;
         let given = |slot: usize| {
             let set = self.options.set.iter().rev().find(|(s, _)| *s == slot).map(|(_, value)| value.clone());
-            let public = attributes[slot].public;
-            set.or_else(|| region.attributes.get(&attributes[slot].name).filter(|_| public).cloned())
+            let attribute = &attributes[slot];
+            set.or_else(|| {
+                attribute.names().find_map(|name| region.attributes.get(name)).filter(|_| attribute.public).cloned()
+            })
         };
         let mut random = shape.seed.random();
         let mut around = Surroundings {
@@ -370,6 +372,7 @@ impl Engine<'_> {
             seed,
             around: &current.around,
             intra: &self.intra,
+            inter: &self.inter,
             catalogue: self.options.catalogue,
             world: self.options.world,
             most: self.options.limits.children,

@@ -98,6 +98,8 @@ pub struct Given<'a> {
     pub around: &'a crate::shape::Scope,
     /// The earlier shapes and the features of the lot.
     pub intra: &'a crate::shape::Occluders,
+    /// The initial shapes of the neighbours.
+    pub inter: &'a crate::shape::Occluders,
     /// The element repository.
     pub catalogue: &'a Catalogue,
     /// Where models come from.

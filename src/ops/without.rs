@@ -8,10 +8,10 @@ use crate::unit::Metres;
 use glam::{DAffine2, DVec2, DVec3};
 
 operation! {
-    /// Takes everything under a label off a level shape: features of the lot under the word of their kind
-    /// (`"building"`, `"water"`, `"driveway"` …) and labelled shapes derived before, with a margin.
+    /// Takes everything under a label off a level shape, with a margin.
     ///
-    /// So lawns end at the pond and their area is right. What is taken off wholly is deleted.
+    /// A label is the kind of a feature of the lot (`"building"`, `"water"`, `"driveway"` …), the kind of a
+    /// neighbouring region, or the label of a shape that was derived before. So lawns end at the pond and their area is right. What is taken off wholly is deleted.
     /// ```cga
     /// Lot --> without("building", 1) without("driveway") Garden
     /// ```
@@ -34,7 +34,9 @@ impl Apply for Without {
         let Extent::Area(on_plan) = &footprint.extent else {
             return Err(Problem::new("`without` takes level shapes"));
         };
-        let taken = given.intra.areas(on_plan.bounds(), &self.label.0, self.margin.0.max(0.0));
+        let (near, margin) = (on_plan.bounds(), self.margin.0.max(0.0));
+        let mut taken = given.intra.areas(near, &self.label.0, margin);
+        taken.extend(given.inter.areas(near, &self.label.0, margin));
         if taken.is_empty() {
             return Ok(Pieces::Changed);
         }

@@ -349,8 +349,8 @@ impl Scan<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::token::tokens;
     use super::*;
+    use crate::syntax::token::tokens;
 
     fn cut(text: &str) -> Vec<(&str, PieceKind)> {
         let mut tokens = tokens(text);

@@ -34,7 +34,7 @@ pub use svg::svg;
 use crate::export::plan::labels::Board;
 use crate::export::plan::legend::Section;
 use crate::export::plan::planting::Planting;
-use crate::export::plan::sheet::{GUTTER, Panel, Sheet};
+use crate::export::plan::sheet::{Extent, GUTTER, Panel, Sheet};
 use crate::export::plan::symbol::Cabinet;
 use crate::geometry::Bounds;
 use crate::scene::Scene;
@@ -93,9 +93,12 @@ impl Default for PlanOptions {
 
 /// Draws a scene. Cost: linear in what the sheet shows, and in labels times labels.
 pub fn draw(scene: &Scene, options: &PlanOptions) -> Drawing {
-    let extent = options.extent.filter(|e| !e.is_empty()).unwrap_or_else(|| extent(scene));
+    let extent = match options.extent.filter(|e| !e.is_empty()) {
+        Some(bounds) => Extent::around(corners(bounds), options.rotation),
+        None => Extent::around(everything(scene), options.rotation),
+    };
     let legend = if options.legend { legend::sections(scene, options.extent) } else { Vec::new() };
-    let sheet = Sheet::new(extent, legend::height(&legend), options);
+    let sheet = Sheet::new(&extent, legend::height(&legend), options);
     let mut cabinet = Cabinet::new(sheet.frame.turn(0.0));
     let mut layers = vec![furniture::paper(&sheet)];
     layers.extend(plan_layers(scene, options, &sheet, &mut cabinet));
@@ -168,17 +171,21 @@ fn furnishings(
     vec![lettering, key]
 }
 
-/// The least rectangle around everything in the scene.
-fn extent(scene: &Scene) -> Bounds {
-    let lots = scene.lots.iter().map(|lot| lot.area.bounds());
-    let covers = scene.covers.iter().map(|cover| cover.area.bounds());
-    let solids = scene.solids.iter().map(|solid| solid.footprint.bounds());
-    let lines = scene.lines.iter().map(|line| Bounds::of(line.points.iter().copied().filter(|p| p.is_finite())));
-    let crowns = scene.plants.iter().filter(|p| p.position.is_finite()).map(|plant| {
-        let reach = DVec2::splat(if plant.crown_radius.is_finite() { plant.crown_radius } else { 0.0 });
-        Bounds::of([plant.position - reach, plant.position + reach])
+/// Points around everything in the scene.
+fn everything(scene: &Scene) -> impl Iterator<Item = DVec2> {
+    let areas = scene.lots.iter().map(|lot| &lot.area);
+    let areas = areas.chain(scene.covers.iter().map(|cover| &cover.area));
+    let areas = areas.chain(scene.solids.iter().map(|solid| &solid.footprint));
+    let lines = scene.lines.iter().flat_map(|line| line.points.iter().copied());
+    let crowns = scene.plants.iter().flat_map(|plant| {
+        let reach = if plant.crown_radius.is_finite() { plant.crown_radius } else { 0.0 };
+        corners(Bounds::of([plant.position]).grown(reach))
     });
-    let objects = scene.objects.iter().filter(|o| o.position.is_finite()).map(|o| Bounds::of([o.position]));
-    let all = lots.chain(covers).chain(solids).chain(lines).chain(crowns).chain(objects);
-    all.fold(Bounds::EMPTY, Bounds::union)
+    let objects = scene.objects.iter().map(|object| object.position);
+    areas.flat_map(|area| area.edges().map(|(a, _)| a)).chain(lines).chain(crowns).chain(objects)
+}
+
+fn corners(bounds: Bounds) -> [DVec2; 4] {
+    let (low, high) = (bounds.min, bounds.max);
+    [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)]
 }

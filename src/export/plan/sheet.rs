@@ -115,6 +115,26 @@ impl Frame {
     }
 }
 
+/// What a plan shows: the least rectangle that is level on the sheet, in metres.
+#[derive(Clone, Copy, Debug)]
+pub struct Extent {
+    /// Its middle on the plan.
+    pub centre: DVec2,
+    /// Its width and height on the sheet, at least a metre.
+    pub size: DVec2,
+}
+
+impl Extent {
+    /// Around points of the plan, which is turned counter-clockwise by `rotation` degrees.
+    pub fn around(points: impl IntoIterator<Item = DVec2>, rotation: f64) -> Extent {
+        let turn = direction(rotation.to_radians());
+        let bounds = Bounds::of(points.into_iter().filter(|p| p.is_finite()).map(|p| turn.rotate(p)));
+        let middle = if bounds.is_empty() { DVec2::ZERO } else { bounds.centre() };
+        let back = DVec2::new(turn.x, -turn.y);
+        Extent { centre: back.rotate(middle), size: bounds.size().max(DVec2::ONE) }
+    }
+}
+
 impl Sheet {
     /// A region of the plan on the paper, or nothing where the window shows none of it.
     ///
@@ -133,24 +153,23 @@ impl Sheet {
         cut.filter(|area| !area.is_empty())
     }
 
-    /// Chooses scale, sheet and places for a plan of the given extent (metres, before turning).
+    /// Chooses scale, sheet and places for a plan that shows `extent`.
     ///
     /// `legend` is the legend's height in one column; 0 for none.
-    pub fn new(extent: Bounds, legend: f64, options: &PlanOptions) -> Sheet {
-        let extent = if extent.is_empty() { Bounds { min: DVec2::ZERO, max: DVec2::ZERO } } else { extent };
-        let size = turned_size(extent.size().max(DVec2::splat(1.0)), options.rotation);
+    pub fn new(extent: &Extent, legend: f64, options: &PlanOptions) -> Sheet {
         match options.size {
             PlanSize::Pixels(width, height) => {
-                fixed(extent, size, DVec2::new(width.into(), height.into()) / SCREEN, legend, options)
+                fixed(extent, DVec2::new(width.into(), height.into()) / SCREEN, legend, options)
             }
-            PlanSize::Auto => fitted(extent, size, None, legend, options),
-            PlanSize::MetresPerPixel(metres) => fitted(extent, size, Some(metres), legend, options),
+            PlanSize::Auto => fitted(extent, None, legend, options),
+            PlanSize::MetresPerPixel(metres) => fitted(extent, Some(metres), legend, options),
         }
     }
 }
 
 /// A sheet that fits around the plan.
-fn fitted(extent: Bounds, size: DVec2, pixel: Option<f64>, legend: f64, options: &PlanOptions) -> Sheet {
+fn fitted(extent: &Extent, pixel: Option<f64>, legend: f64, options: &PlanOptions) -> Sheet {
+    let size = extent.size;
     let sheet = |scale: f64| around(size * 1000.0 / scale, legend);
     let fits = |scale: &f64| {
         let paper = sheet(*scale).0;
@@ -165,7 +184,8 @@ fn fitted(extent: Bounds, size: DVec2, pixel: Option<f64>, legend: f64, options:
 }
 
 /// A sheet of given size, with the roundest scale at which the plan fits into its window.
-fn fixed(extent: Bounds, size: DVec2, paper: DVec2, legend: f64, options: &PlanOptions) -> Sheet {
+fn fixed(extent: &Extent, paper: DVec2, legend: f64, options: &PlanOptions) -> Sheet {
+    let size = extent.size;
     let roomy = paper.x > 2.0 * COLUMN + 4.0 * MARGIN && paper.y > LEAST_FOOT + 4.0 * MARGIN;
     let foot = foot_height(paper.x, legend).min(paper.y * 0.4);
     let candidates = match () {
@@ -185,9 +205,9 @@ fn fixed(extent: Bounds, size: DVec2, paper: DVec2, legend: f64, options: &PlanO
     compose(extent, Frame::new(scale, options.rotation), paper, layout, legend, SCREEN)
 }
 
-fn compose(extent: Bounds, frame: Frame, paper: DVec2, layout: Layout, legend: f64, dots: f64) -> Sheet {
+fn compose(extent: &Extent, frame: Frame, paper: DVec2, layout: Layout, legend: f64, dots: f64) -> Sheet {
     let window = window(paper, layout);
-    let frame = frame.centred(extent.centre(), window.centre());
+    let frame = frame.centred(extent.centre, window.centre());
     Sheet { size: paper, window, panel: panel(paper, window, layout, legend), frame, dots }
 }
 
@@ -267,10 +287,4 @@ fn round_scales() -> impl Iterator<Item = f64> {
     // Between round numbers only where plans are large: nobody owns a 1:125 ruler.
     let common = |scale: &f64| ![75.0, 125.0, 150.0].contains(scale);
     decades.into_iter().flat_map(move |d| steps.map(|s| s * d)).filter(common)
-}
-
-/// Width and height of the turned extent's bounding box.
-fn turned_size(size: DVec2, rotation: f64) -> DVec2 {
-    let turn = direction(rotation.to_radians()).abs();
-    DVec2::new(size.x * turn.x + size.y * turn.y, size.x * turn.y + size.y * turn.x)
 }

@@ -1,10 +1,10 @@
 //! Blocks: alternatives between bars, with and without heads.
 
-use super::super::ast::{Block, Call, Content, Entry, Head, Op, Separator, Spelling};
-use super::super::grammar::{Pair, Rule};
 use super::value::separator;
 use super::{Builder, next_if};
 use crate::diag::Diagnostic;
+use crate::syntax::ast::{Block, Call, Content, Entry, Head, Op, Separator, Spelling};
+use crate::syntax::grammar::{Pair, Rule};
 use pest::iterators::Pairs;
 
 /// Operations each of whose alternatives needs a head, and what the head is.

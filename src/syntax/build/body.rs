@@ -1,10 +1,10 @@
 //! Successors: operations in a row, and choices.
 
-use super::super::ast::{Arg, Body, Call, Expr, ExprKind, Op, Override, Spelling};
-use super::super::grammar::{Pair, Rule};
-use super::super::paper;
 use super::{Builder, next_if};
 use crate::diag::{Diagnostic, Span};
+use crate::syntax::ast::{Arg, Body, Call, Expr, ExprKind, Op, Override, Spelling};
+use crate::syntax::grammar::{Pair, Rule};
+use crate::syntax::paper;
 use pest::iterators::Pairs;
 
 impl<'t> Builder<'t> {

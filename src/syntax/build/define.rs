@@ -1,12 +1,12 @@
 //! Annotations and definitions.
 
-use super::super::ast::{
+use super::{Builder, next_if};
+use crate::diag::{Diagnostic, Span};
+use crate::syntax::ast::{
     Annotation, Expr, ExprKind, Function, FunctionKind, Import, ItemKind, Name, Override, Rule as RuleAst, RuleMark,
     Spelling, Text,
 };
-use super::super::grammar::{Pair, Rule};
-use super::{Builder, next_if};
-use crate::diag::{Diagnostic, Span};
+use crate::syntax::grammar::{Pair, Rule};
 use pest::iterators::Pairs;
 
 impl<'t> Builder<'t> {

@@ -1,9 +1,9 @@
 //! Values, expressions, arguments.
 
-use super::super::ast::{Arg, BinaryOp, Expr, ExprKind, Name, Separator, SizeMark, UnaryOp};
-use super::super::grammar::{Pair, Rule};
 use super::{Builder, next_if, unescaped};
 use crate::diag::{Diagnostic, Span};
+use crate::syntax::ast::{Arg, BinaryOp, Expr, ExprKind, Name, Separator, SizeMark, UnaryOp};
+use crate::syntax::grammar::{Pair, Rule};
 use pest::iterators::Pairs;
 use pest::pratt_parser::{Assoc, Op, PrattParser};
 use std::sync::LazyLock;

@@ -3,9 +3,9 @@
 //! A choice opens where a successor or value may begin, runs on through its further alternatives, and is settled by its
 //! `else`. Following that gives the mistakes their right place: the `case` that has no `else`, not the bracket after it.
 
-use super::super::token::Kind;
 use super::Broken;
 use crate::diag::Diagnostic;
+use crate::syntax::token::Kind;
 
 /// One `case …` or `30% : …` under way.
 struct Choice {

@@ -1,8 +1,8 @@
 //! The last resort: what pest would have taken, as a few human phrases.
 
-use super::super::grammar::Rule;
 use super::Broken;
 use crate::diag::Diagnostic;
+use crate::syntax::grammar::Rule;
 
 impl Broken<'_> {
     /// "expected … found …"

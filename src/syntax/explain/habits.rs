@@ -1,9 +1,9 @@
 //! Habits from other languages, and slips of the pen: what was written, and what would do.
 
-use super::super::outline::PieceKind;
-use super::super::token::{Kind, NONE, Token};
 use super::Broken;
 use crate::diag::Diagnostic;
+use crate::syntax::outline::PieceKind;
+use crate::syntax::token::{Kind, NONE, Token};
 
 impl Broken<'_> {
     /// Habits that are told by their signs wherever they stand in the piece.
