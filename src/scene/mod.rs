@@ -117,6 +117,8 @@ pub struct Plant {
     pub position: DVec2,
     /// Height of its foot above the datum.
     pub elevation: f64,
+    /// How it is turned: degrees counter-clockwise from east, for clipped forms.
+    pub heading: f64,
     /// `tree`, `shrub`, `hedge`, `flower` …: the catalogue's word for its habit.
     pub kind: Arc<str>,
     /// The catalogue's category: `birch`.

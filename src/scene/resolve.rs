@@ -254,6 +254,7 @@ fn plant(shape: &Shape, placed: &Placed, entry: &Entry, figures: PlantFigures, o
         origin,
         position: on_plan(foot),
         elevation: foot.y,
+        heading: heading(shape),
         kind: kind_word(entry),
         category: entry.category.clone(),
         age_class: placed.kind.clone(),
@@ -276,8 +277,8 @@ fn plant(shape: &Shape, placed: &Placed, entry: &Entry, figures: PlantFigures, o
 fn object(shape: &Shape, placed: &Placed, entry: &Entry, origin: Origin, model: Arc<str>) -> Object {
     let (frame, size) = (&shape.scope.frame, shape.scope.size);
     let middle = frame.to_world(DVec3::new(size.x * 0.5, 0.0, size.z * 0.5));
-    let east = on_plan(frame.rotation * DVec3::X);
-    let turn = east.try_normalize().unwrap_or(DVec2::X);
+    let heading = heading(shape);
+    let turn = DVec2::from_angle(heading.to_radians());
     let at = on_plan(middle);
     let footprint = entry.form.footprint(size.x, size.z).map(|p| p.mapped(|q| at + turn.rotate(q)));
     Object {
@@ -288,12 +289,18 @@ fn object(shape: &Shape, placed: &Placed, entry: &Entry, origin: Origin, model: 
         label: entry.label.clone(),
         footprint: footprint.into_iter().collect(),
         position: at,
-        heading: libm::atan2(turn.y, turn.x).to_degrees(),
+        heading,
         base: middle.y,
         size: size.to_array(),
         color: shape.style.color.unwrap_or(entry.color),
         model,
     }
+}
+
+/// The angle of a scope's x axis on the plan, degrees counter-clockwise from east.
+fn heading(shape: &Shape) -> f64 {
+    let along = on_plan(shape.scope.frame.rotation * DVec3::X);
+    libm::atan2(along.y, along.x).to_degrees()
 }
 
 /// A tree of the layout: what its attributes say, the rest from the catalogue's figures for its species and height.
@@ -310,6 +317,7 @@ fn standing(catalogue: &Catalogue, feature: &Feature, at: DVec2, origin: Origin)
     Plant {
         position: at,
         elevation: feature.elevation,
+        heading: number("heading").unwrap_or(0.0),
         kind: entry.map_or_else(|| "tree".into(), kind_word),
         category: entry.map_or_else(|| "".into(), |e| e.category.clone()),
         age_class: variant.map_or_else(|| "".into(), |v| v.name.clone()),

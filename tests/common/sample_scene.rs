@@ -52,6 +52,7 @@ pub fn plant(id: &str, kind: &str, position: DVec2, seed: u64) -> Plant {
         origin: Origin { lot: "garden".into(), rule: "Tree".into(), id: format!("{seed:016x}").into() },
         position,
         elevation: 0.0,
+        heading: 0.0,
         kind: Words::word(entry.kind).into(),
         category: entry.category.clone(),
         age_class: variant.name.clone(),

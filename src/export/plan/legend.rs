@@ -211,7 +211,7 @@ fn sample(sample: &Sample, at: DVec2, cabinet: &mut Cabinet, sheet: &Sheet) -> V
     match sample {
         Sample::Plant(symbol, ink) => {
             let radius = if matches!(symbol, PlantSymbol::Shrub | PlantSymbol::Flower) { 1.5 } else { 2.4 };
-            let (symbol, scale) = cabinet.crown(*symbol, *ink, radius, 1);
+            let (symbol, scale) = cabinet.crown(*symbol, *ink, radius, 1, 0.0);
             vec![Use { symbol, at: middle, scale, turn: 0.0, title: None }.into()]
         }
         Sample::Object(category, ink) => {

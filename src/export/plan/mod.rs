@@ -99,7 +99,7 @@ pub fn draw(scene: &Scene, options: &PlanOptions) -> Drawing {
     };
     let legend = if options.legend { legend::sections(scene, options.extent) } else { Vec::new() };
     let sheet = Sheet::new(&extent, legend::height(&legend), options);
-    let mut cabinet = Cabinet::new(sheet.frame.turn(0.0));
+    let mut cabinet = Cabinet::new();
     let mut layers = vec![furniture::paper(&sheet)];
     layers.extend(plan_layers(scene, options, &sheet, &mut cabinet));
     let title = options.title.clone().unwrap_or_else(|| scene.title.to_string());
@@ -132,7 +132,7 @@ fn plan_layers(scene: &Scene, options: &PlanOptions, sheet: &Sheet, cabinet: &mu
         shadows,
         solids::layer(&scene.solids, sheet),
     ];
-    layers.extend(planting.layers(cabinet));
+    layers.extend(planting.layers(cabinet, sheet));
     layers.push(objects::layer(&scene.objects, sheet));
     let mut board = Board::default();
     if options.names {

@@ -48,10 +48,11 @@ impl<'a> Planting<'a> {
     }
 
     /// Two layers: what grows low, and trees.
-    pub fn layers(&self, cabinet: &mut Cabinet) -> [Layer; 2] {
+    pub fn layers(&self, cabinet: &mut Cabinet, sheet: &Sheet) -> [Layer; 2] {
         let (mut low, mut trees) = (Layer::new("shrubs", "Shrubs and flowers"), Layer::new("trees", "Trees"));
         for (plant, at, radius) in &self.drawn {
-            let (symbol, scale) = cabinet.crown(plant.symbol, Ink::of(plant.color), *radius, plant.seed);
+            let turn = sheet.frame.turn(plant.heading);
+            let (symbol, scale) = cabinet.crown(plant.symbol, Ink::of(plant.color), *radius, plant.seed, turn);
             let item = Use { symbol, at: *at, scale, turn: 0.0, title: Some(title(plant)) }.into();
             if rank(plant) < 2 { low.items.push(item) } else { trees.items.push(item) }
         }

@@ -44,6 +44,7 @@ macro_rules! fields {
 fields! {
     "id" Text origin.id: "stable id",
     "elevation" Number elevation: "height of its foot above the datum, metres",
+    "heading" Number heading: "how it is turned, degrees counter-clockwise from east",
     "kind" Text kind: "habit: tree, shrub, hedge, flower",
     "category" Text category: "the catalogue's category",
     "type" Text age_class: "age class, or clipped form",

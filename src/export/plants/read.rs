@@ -149,6 +149,7 @@ fn plant_at(world: Option<(f64, f64)>, georeference: &Georeference) -> Option<Pl
         origin: Origin::default(),
         position,
         elevation: 0.0,
+        heading: 0.0,
         kind: "tree".into(),
         category: "".into(),
         age_class: "".into(),

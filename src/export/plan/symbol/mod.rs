@@ -41,7 +41,7 @@ struct Pencil {
     radius: f64,
     ink: Ink,
     level: Level,
-    /// The plan's turn on paper, radians clockwise: for what is built square to it.
+    /// The plant's turn on paper, radians clockwise: for clipped forms.
     turn: f64,
     random: Random,
 }
@@ -52,21 +52,28 @@ struct Key {
     ink: Ink,
     size: i32,
     variant: u64,
+    /// Whole degrees clockwise; 0 for what looks the same from all sides.
+    turn: i32,
 }
 
 /// All symbols drawn so far.
 pub struct Cabinet {
     symbols: Vec<Symbol>,
     known: BTreeMap<Key, usize>,
-    turn: f64,
+}
+
+impl Default for Cabinet {
+    fn default() -> Cabinet {
+        Cabinet::new()
+    }
 }
 
 impl Cabinet {
-    /// A cabinet with nothing but the shadow disc, for a plan turned by so many degrees clockwise.
-    pub fn new(turn: f64) -> Cabinet {
+    /// A cabinet with nothing but the shadow disc.
+    pub fn new() -> Cabinet {
         let disc = Shape::filled(Path::circle(DVec2::ZERO, 1.0), SHADOW);
         let shadow = Symbol { id: "shadow".into(), shapes: vec![disc] };
-        Cabinet { symbols: vec![shadow], known: BTreeMap::new(), turn: turn.to_radians() }
+        Cabinet { symbols: vec![shadow], known: BTreeMap::new() }
     }
 
     /// The disc of radius 1 that casts shadows.
@@ -74,17 +81,18 @@ impl Cabinet {
         0
     }
 
-    /// The symbol for a crown of `radius` mm, and the enlargement that makes it exact.
-    pub fn crown(&mut self, symbol: PlantSymbol, ink: Ink, radius: f64, seed: u64) -> (usize, f64) {
+    /// The symbol for a crown of `radius` mm, turned by so many degrees clockwise on paper, and the enlargement that
+    /// makes it exact.
+    pub fn crown(&mut self, symbol: PlantSymbol, ink: Ink, radius: f64, seed: u64, turn: f64) -> (usize, f64) {
         let size = (libm::log(radius.max(1e-3)) / libm::log(STEP)).floor() as i32;
         let drawn = libm::pow(STEP, f64::from(size) + 0.5);
         let level = level(drawn * 2.0);
         let variant = Seed(seed).draw("plan variant").below(variants(symbol, level));
-        let key = Key { symbol: symbol as u8, ink, size, variant };
-        let turn = self.turn;
+        let turn = if is_square(symbol) { turn.rem_euclid(90.0).round() } else { 0.0 };
+        let key = Key { symbol: symbol as u8, ink, size, variant, turn: turn as i32 };
         let index = *self.known.entry(key).or_insert_with(|| {
             let random = Seed(variant).child(key.symbol.into()).draw("plan symbol");
-            let pencil = Pencil { radius: drawn, ink, level, turn, random };
+            let pencil = Pencil { radius: drawn, ink, level, turn: turn.to_radians(), random };
             let shapes = pencil.draw(symbol).into_iter().map(|s| Shape { path: s.path.coarse_to(0.01), ..s }).collect();
             self.symbols.push(Symbol { id: format!("plant-{}", self.symbols.len()), shapes });
             self.symbols.len() - 1
@@ -96,6 +104,11 @@ impl Cabinet {
     pub fn into_symbols(self) -> Vec<Symbol> {
         self.symbols
     }
+}
+
+/// Whether a symbol shows how the plant is turned: clipped to a box, or to a cone of few facets.
+fn is_square(symbol: PlantSymbol) -> bool {
+    matches!(symbol, PlantSymbol::Box | PlantSymbol::Cone)
 }
 
 /// How much to draw at a diameter on paper.
