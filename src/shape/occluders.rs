@@ -29,7 +29,7 @@ pub enum Relation {
 pub struct Occluder {
     /// The name it is found by; unlabelled ones are found when they are closed.
     pub label: Option<Arc<str>>,
-    /// Its node; none for features and neighbours.
+    /// The branch of the derivation it stands on; none for features and neighbours.
     pub node: Option<NodeId>,
     /// Its plan and heights.
     pub footprint: Footprint,
