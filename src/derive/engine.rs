@@ -24,6 +24,9 @@ const CLOCK: usize = 1024;
 /// Arguments of a rule; most have none, and waiting shapes shall be small.
 type Args = Box<[Value]>;
 
+/// Arguments of an operation, in the order of its parameters.
+type Values = SmallVec<[Option<Value>; 6]>;
+
 /// Derives one region.
 pub(super) fn lot(
     program: &Program,
@@ -36,7 +39,7 @@ pub(super) fn lot(
     let region = &layout.regions[index];
     let symbol = program.rules[rule as usize].symbol;
     let start = program.symbols[symbol as usize].clone();
-    let mut shape = initial::shape(region, initial::seed(region, options.seed));
+    let mut shape = Box::new(initial::shape(region, initial::seed(region, options.seed)));
     let looking = program.looks_around;
     let mut engine = Engine {
         program,
@@ -58,9 +61,10 @@ pub(super) fn lot(
     engine.outcome
 }
 
-/// A shape that waits for its rule.
+/// A shape that waits for its rule. Shapes are large and pass through many hands, so they stay in their box from the
+/// operation that made them to the leaf.
 struct Task {
-    shape: Shape,
+    shape: Box<Shape>,
     parent: NodeId,
     /// The branch that it came from.
     branch: NodeId,
@@ -103,7 +107,7 @@ struct Turn {
 
 /// The current shape and what became of it so far.
 struct Current {
-    shape: Shape,
+    shape: Box<Shape>,
     random: Random,
     /// Its branch.
     branch: NodeId,
@@ -128,7 +132,7 @@ struct Heir {
 }
 
 impl Current {
-    fn new(shape: Shape, branch: NodeId) -> Current {
+    fn new(shape: Box<Shape>, branch: NodeId) -> Current {
         let random = shape.seed.draw("rand");
         Current { branch, around: shape.scope, shape, random, count: 0, used: false, deleted: false, heir: None }
     }
@@ -379,20 +383,21 @@ impl Engine<'_> {
         }
     }
 
-    fn succeed(&mut self, heir: Heir, shape: Shape, branch: NodeId, turn: &Turn) {
+    fn succeed(&mut self, heir: Heir, mut shape: Box<Shape>, branch: NodeId, turn: &Turn) {
         let Heir { symbol, rule, args, seed } = heir;
-        let shape = Shape { seed, ..shape };
+        shape.seed = seed;
         self.queue.push(Task { shape, parent: turn.node, branch, symbol, rule, args, depth: turn.depth + 1 });
     }
 
     fn application(&mut self, application: &Application, turn: &Turn, current: &mut Current) -> Result<(), Stop> {
-        let mut frame = self.frame(turn, current);
         let cuts = match &application.block {
-            Block::Cuts(cuts) => select::cuts(cuts, &mut frame),
-            _ => Ok(Vec::new()),
+            Block::Cuts(cuts) => {
+                select::cuts(cuts, &mut self.frame(turn, current)).map_err(|f| self.failed(f, turn))?
+            }
+            _ => Vec::new(),
         };
-        let cuts = cuts.map_err(|f| self.failed(f, turn))?;
-        let mut values = self.arguments(application, turn, current)?;
+        let mut values = Values::new();
+        self.arguments(application, turn, current, &mut values)?;
         let chosen = match &application.block {
             Block::Selectors(selectors) => {
                 let components = application.operation.components(&mut values.clone(), &current.shape);
@@ -434,19 +439,16 @@ impl Engine<'_> {
         application: &Application,
         turn: &Turn,
         current: &mut Current,
-    ) -> Result<SmallVec<[Option<Value>; 6]>, Stop> {
-        let mut values = SmallVec::with_capacity(application.args.len());
+        values: &mut Values,
+    ) -> Result<(), Stop> {
         for arg in &application.args {
-            let value = match arg {
-                Some(code) => {
-                    let value = self.frame(turn, current).with(|n, a| evaluate::evaluate(code, n, a));
-                    Some(value.map_err(|f| self.failed(f, turn))?)
-                }
-                None => None,
-            };
-            values.push(value);
+            let value = arg.as_ref().map(|code| match code.known() {
+                Some(value) => Ok(value.clone()),
+                None => self.frame(turn, current).with(|n, a| evaluate::evaluate(code, n, a)),
+            });
+            values.push(value.transpose().map_err(|f| self.failed(f, turn))?);
         }
-        Ok(values)
+        Ok(())
     }
 
     /// Runs the block's bodies on the pieces; a piece that fails is left out and the others go on.
@@ -462,7 +464,7 @@ impl Engine<'_> {
             return Err(Stop::Lot(Box::new(self.diagnostic("limit", application.span, message, turn.node))));
         }
         for (index, part) in parts.into_iter().enumerate() {
-            let mut shape = part.shape;
+            let mut shape = Box::new(part.shape);
             shape.seed = seed.child(index as u64);
             let Some(body) = application.bodies.get(part.entry as usize) else { continue };
             let current = Current::new(shape, self.branch(branch));
@@ -489,7 +491,7 @@ impl Engine<'_> {
         }
     }
 
-    fn leaf(&mut self, node: NodeId, branch: NodeId, shape: Shape) {
+    fn leaf(&mut self, node: NodeId, branch: NodeId, shape: Box<Shape>) {
         if self.program.looks_around && shape.is_closed() {
             self.intra.add(Occluder { label: None, node: Some(branch), footprint: shape.footprint() });
         }
