@@ -6,6 +6,7 @@
 
 use crate::check::{Alternative, Application, Block, Body, Program, Step, Successor};
 use crate::derive::evaluate::{self, Failure, Names};
+use crate::derive::frame::Frame;
 use crate::derive::{Options, Progress, initial, select};
 use crate::diag::{self, Diagnostic, Span};
 use crate::functions::{Initial, Surroundings};
@@ -542,44 +543,6 @@ impl Engine<'_> {
 
 /// Rules that a trace shows, from the innermost.
 const DEEPEST_TRACE: usize = 8;
-
-/// What an expression is evaluated with: the current shape and all around it.
-pub(super) struct Frame<'f> {
-    names: Names<'f>,
-    shape: &'f Shape,
-    random: &'f mut Random,
-    intra: &'f Occluders,
-    inter: &'f Occluders,
-    initial: &'f Initial,
-    branches: &'f [NodeId],
-    branch: NodeId,
-}
-
-impl Frame<'_> {
-    /// Evaluates on the current shape.
-    pub fn with<T>(&mut self, f: impl FnOnce(&Names, &mut Surroundings) -> T) -> T {
-        self.on(self.shape, f)
-    }
-
-    /// Evaluates on another shape: a component that a selector asks about.
-    pub fn on<T>(&mut self, shape: &Shape, f: impl FnOnce(&Names, &mut Surroundings) -> T) -> T {
-        let is_ancestor = |other: NodeId| climb(self.branches, self.branch).any(|branch| branch == other);
-        let mut around = Surroundings {
-            shape,
-            random: self.random,
-            intra: self.intra,
-            inter: self.inter,
-            is_ancestor: &is_ancestor,
-            initial: self.initial,
-        };
-        f(&self.names, &mut around)
-    }
-}
-
-/// A branch and those that it grows from.
-fn climb(branches: &[NodeId], from: NodeId) -> impl Iterator<Item = NodeId> {
-    std::iter::successors(Some(from), |id| Some(branches[id.0 as usize]).filter(|parent| parent != id))
-}
 
 /// A node and its ancestors, upwards.
 fn ancestors(nodes: &[Node], node: NodeId) -> impl Iterator<Item = NodeId> {

@@ -5,6 +5,7 @@
 
 mod engine;
 mod evaluate;
+mod frame;
 mod initial;
 mod select;
 mod start;

@@ -1,8 +1,8 @@
 //! Blocks on a shape: sizes of splits evaluated, components given to the selectors that ask for them.
 
 use crate::check::{Cut, Selector, Test};
-use crate::derive::engine::Frame;
 use crate::derive::evaluate::{Failure, evaluate, number};
+use crate::derive::frame::Frame;
 use crate::ops::{self, Choice, Component, Selectors};
 use crate::value::{Size, Value};
 

@@ -1,0 +1,54 @@
+//! What an expression sees of a derivation: the current shape, its numbers, and what stands around it.
+//!
+//! The engine fills a [`Frame`] in for each expression; evaluation and selectors read it. Nothing here changes a shape.
+
+use crate::derive::evaluate::Names;
+use crate::functions::{Initial, Surroundings};
+use crate::seed::Random;
+use crate::shape::{NodeId, Occluders, Shape};
+
+/// What an expression is evaluated with: the current shape and all around it.
+pub(super) struct Frame<'f> {
+    /// What names stand for.
+    pub names: Names<'f>,
+    /// The current shape.
+    pub shape: &'f Shape,
+    /// Its own numbers.
+    pub random: &'f mut Random,
+    /// The earlier shapes and the features of the lot.
+    pub intra: &'f Occluders,
+    /// The initial shapes of the neighbours.
+    pub inter: &'f Occluders,
+    /// The initial shape.
+    pub initial: &'f Initial,
+    /// Each branch's parent.
+    pub branches: &'f [NodeId],
+    /// The current shape's branch.
+    pub branch: NodeId,
+}
+
+impl Frame<'_> {
+    /// Evaluates on the current shape.
+    pub fn with<T>(&mut self, f: impl FnOnce(&Names, &mut Surroundings) -> T) -> T {
+        self.on(self.shape, f)
+    }
+
+    /// Evaluates on another shape: a component that a selector asks about.
+    pub fn on<T>(&mut self, shape: &Shape, f: impl FnOnce(&Names, &mut Surroundings) -> T) -> T {
+        let is_ancestor = |other: NodeId| climb(self.branches, self.branch).any(|branch| branch == other);
+        let mut around = Surroundings {
+            shape,
+            random: self.random,
+            intra: self.intra,
+            inter: self.inter,
+            is_ancestor: &is_ancestor,
+            initial: self.initial,
+        };
+        f(&self.names, &mut around)
+    }
+}
+
+/// A branch and those that it grows from.
+fn climb(branches: &[NodeId], from: NodeId) -> impl Iterator<Item = NodeId> {
+    std::iter::successors(Some(from), |id| Some(branches[id.0 as usize]).filter(|parent| parent != id))
+}
