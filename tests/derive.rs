@@ -387,7 +387,7 @@ fn deep_nests_fit_the_stack() {
 
 #[test]
 fn deep_calls_fit_a_small_stack() {
-    let deep = format!("f(x) = {}f(x + 1){}\nLot --> print(f(1)) A.", "(1 + ".repeat(150), ")".repeat(150));
+    let deep = format!("f(x) = {}f(x + 1){}\nLot --> print(f(1)) A.", "(1 + ".repeat(120), ")".repeat(120));
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).stack_size(1 << 20).build().expect("a thread");
     let program = sound(&deep);
     let layout = place::layout(city(1), Vec::new());
