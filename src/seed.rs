@@ -11,11 +11,13 @@ pub struct Seed(pub u64);
 
 impl Seed {
     /// The seed of the successor number `index`.
+    #[inline]
     pub fn child(self, index: u64) -> Seed {
         Seed(mix(self.0 ^ mix(index.wrapping_add(0x9e37_79b9_7f4a_7c15))))
     }
 
     /// The seed of what carries `name`: an attribute, a region, a layer.
+    #[inline]
     pub fn named(self, name: &str) -> Seed {
         let hash =
             name.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0000_0100_0000_01b3));
@@ -23,11 +25,13 @@ impl Seed {
     }
 
     /// A stream of numbers for one use, called `name`.
+    #[inline]
     pub fn draw(self, name: &str) -> Random {
         self.named(name).random()
     }
 
     /// A stream of numbers of this very seed.
+    #[inline]
     pub fn random(self) -> Random {
         // The squares generator wants keys whose bits are well mixed, and odd.
         Random { key: mix(self.0) | 1, counter: 0 }
@@ -95,6 +99,7 @@ impl Random {
 }
 
 /// SplitMix64's finaliser: every input bit reaches every output bit.
+#[inline]
 fn mix(value: u64) -> u64 {
     let mut z = value.wrapping_add(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -2,7 +2,7 @@
 
 use crate::check::Checker;
 use crate::check::names::Written;
-use crate::check::program::{Attribute, Code, Kind, Zone};
+use crate::check::program::{Attribute, Code, Kind, Program, Zone};
 use crate::diag::Diagnostic;
 use crate::syntax::ast::{Annotation, Arg, Expr, ExprKind, UnaryOp};
 use crate::value::Value;
@@ -120,56 +120,72 @@ impl Checker {
 
     /// The order in which attributes can be evaluated; a circle is an error.
     pub(super) fn order(&mut self) {
-        let mut visit = Visit { done: BTreeSet::new(), path: Vec::new(), order: Vec::new(), circle: None };
-        for slot in 0..self.program.attributes.len() {
-            visit.slot(&self.program, slot as u16);
-            if let Some(slot) = visit.circle.take() {
-                let attribute = &self.program.attributes[slot as usize];
-                let message = format!("the value of `{}` needs itself", attribute.name);
-                let diagnostic = Diagnostic::error("attribute-cycle", attribute.span, message);
-                self.diagnostics.push(diagnostic);
-            }
+        let count = self.program.attributes.len();
+        let mut visit = Visit { states: vec![State::New; count], circles: BTreeSet::new(), order: Vec::new() };
+        (0..count as u32).for_each(|slot| visit.from(&self.program, slot));
+        for slot in &visit.circles {
+            let attribute = &self.program.attributes[*slot as usize];
+            let message = format!("the value of `{}` needs itself", attribute.name);
+            self.diagnostics.push(Diagnostic::error("attribute-cycle", attribute.span, message));
         }
         self.program.order = visit.order;
     }
 }
 
-/// Depth-first over what attributes need.
+/// Depth-first over what attributes need, without recursion: chains may be as long as files.
 struct Visit {
-    done: BTreeSet<u16>,
-    path: Vec<u16>,
-    order: Vec<u16>,
-    circle: Option<u16>,
+    states: Vec<State>,
+    circles: BTreeSet<u32>,
+    order: Vec<u32>,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum State {
+    New,
+    /// What it needs is being visited.
+    Open,
+    Done,
 }
 
 impl Visit {
-    fn slot(&mut self, program: &crate::check::Program, slot: u16) {
-        if self.path.contains(&slot) {
-            self.circle = Some(slot);
-            return;
-        }
-        if self.done.contains(&slot) {
-            return;
-        }
-        self.path.push(slot);
-        self.code(program, &program.attributes[slot as usize].initial, &mut BTreeSet::new());
-        self.done.insert(slot);
-        self.path.pop();
-        self.order.push(slot);
-    }
-
-    fn code(&mut self, program: &crate::check::Program, code: &Code, seen: &mut BTreeSet<u32>) {
-        match code {
-            Code::Attribute(slot) => self.slot(program, *slot),
-            Code::Function(index, _) if seen.insert(*index) => {
-                if let Some(function) = program.functions.get(*index as usize) {
-                    self.code(program, &function.value, seen);
+    fn from(&mut self, program: &Program, slot: u32) {
+        let mut path: Vec<(u32, Vec<u32>)> = Vec::new();
+        let mut next = Some(slot).filter(|slot| self.states[*slot as usize] == State::New);
+        loop {
+            if let Some(slot) = next.take() {
+                self.states[slot as usize] = State::Open;
+                path.push((slot, needs(program, slot)));
+            }
+            let Some((slot, open)) = path.last_mut() else { return };
+            match open.pop() {
+                Some(needed) => match self.states[needed as usize] {
+                    State::New => next = Some(needed),
+                    State::Open => drop(self.circles.insert(needed)),
+                    State::Done => {}
+                },
+                None => {
+                    self.states[*slot as usize] = State::Done;
+                    self.order.push(*slot);
+                    path.pop();
                 }
+            }
+        }
+    }
+}
+
+/// The attributes that the value of one needs, by itself or through functions.
+fn needs(program: &Program, slot: u32) -> Vec<u32> {
+    let (mut found, mut seen) = (Vec::new(), BTreeSet::new());
+    let mut open = vec![&program.attributes[slot as usize].initial];
+    while let Some(code) = open.pop() {
+        match code {
+            Code::Attribute(slot) => found.push(*slot),
+            Code::Function(index, _) if seen.insert(*index) => {
+                open.extend(program.functions.get(*index as usize).map(|function| &function.value));
             }
             _ => {}
         }
-        for part in code.parts() {
-            self.code(program, part, seen);
-        }
+        open.extend(code.parts());
     }
+    found
 }

@@ -46,7 +46,9 @@ impl Checker {
         if &*call.name.text == "NIL" {
             return Some(Step::Delete);
         }
-        let operation = ops::find(&call.name.text);
+        // `Pine.` says that a leaf is meant, whatever operations there are.
+        let meant = call.leaf && call.args.is_empty() && call.blocks.is_empty();
+        let operation = ops::find(&call.name.text).filter(|_| !meant);
         let rule = self.rule_named(&call.name.text, call.args.len());
         let unbuilt = UNBUILT_OPERATIONS.iter().find(|u| u.name == &*call.name.text);
         match (operation, rule) {
@@ -81,6 +83,9 @@ impl Checker {
     /// A name that is neither operation nor rule: a leaf, or a slip of the pen.
     fn stranger(&mut self, call: &Call) -> Option<Step> {
         let name = &call.name.text;
+        if self.is_lost(name) {
+            return None;
+        }
         let near = self.near_step(name);
         let others = self.other_rules(name);
         let span = call.name.span;
@@ -151,11 +156,11 @@ impl Checker {
     /// `import.start`: the start rule of an imported file.
     fn start_of(&self, module: usize) -> Option<u32> {
         let items = self.loaded.modules[module].tree.items.iter();
-        let start = items.filter_map(|item| match &item.kind {
+        let mut start = items.filter_map(|item| match &item.kind {
             ast::ItemKind::Rule(rule) if rule.mark == Some(ast::RuleMark::Start) => Some(rule.name.text.clone()),
             _ => None,
         });
-        start.last().and_then(|name| self.names.rules[module].get(&(name, 0)).copied())
+        start.next_back().and_then(|name| self.names.rules[module].get(&(name, 0)).copied())
     }
 
     fn other_rules(&self, name: &Arc<str>) -> Vec<String> {
@@ -165,6 +170,11 @@ impl Checker {
     }
 
     fn near_step(&self, name: &str) -> Option<String> {
+        if let Some((import, _)) = name.rsplit_once('.') {
+            let (module, bare) = self.path(&name.into());
+            let rules = self.names.rules[module].keys().map(|(n, _)| &**n);
+            return nearest(&bare, rules).map(|rule| format!("{import}.{rule}"));
+        }
         let rules = self.names.rules[self.module].keys().map(|(n, _)| &**n);
         let built = OPERATIONS.iter().flat_map(|o| o.spec.aliases.iter().copied().chain([o.spec.name]));
         nearest(name, rules.chain(built)).map(str::to_string)
@@ -204,6 +214,10 @@ impl Checker {
                 Block::Body
             }
         };
+        if bodies.len() > usize::from(u16::MAX) {
+            let parts = crate::text::counted(bodies.len(), "part");
+            self.tell(Diagnostic::error("block", call.span, format!("a block of {parts} is more than can be derived")));
+        }
         let span = call.span;
         let (args, arg_spans) = (args.into(), arg_spans.into());
         Step::Apply(Box::new(Application { operation, args, arg_spans, block, bodies: bodies.into(), span }))
@@ -305,7 +319,16 @@ impl Checker {
     /// `split(x) { 3 : split(x) { … } }`: the inner split cuts what the outer has cut already.
     fn same_axis(&mut self, call: &Call) {
         let Some(axis) = axis_of(call) else { return };
-        for entry in call.blocks.iter().flat_map(|b| &b.entries) {
+        for block in &call.blocks {
+            self.same_axis_in(call, axis, block);
+        }
+    }
+
+    fn same_axis_in(&mut self, call: &Call, axis: &str, block: &ast::Block) {
+        for entry in &block.entries {
+            if let Content::Block(inner) = &entry.content {
+                self.same_axis_in(call, axis, inner);
+            }
             let Content::Body(ast::Body::Ops(inner)) = &entry.content else { continue };
             let Some(Op::Call(first)) = inner.first() else { continue };
             if first.name.text == call.name.text && axis_of(first) == Some(axis) && !first.blocks.is_empty() {

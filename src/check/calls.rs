@@ -45,11 +45,16 @@ impl Checker {
         (module, rest.into())
     }
 
+    /// Whether a name leads into an import that could not be loaded.
+    pub(super) fn is_lost(&self, name: &str) -> bool {
+        name.split_once('.').is_some_and(|(import, _)| self.loaded.modules[self.module].missing.contains(import))
+    }
+
     /// A parameter, attribute or function of the files.
     fn own_name(&mut self, module: usize, name: &Arc<str>, args: Option<&[Arg]>, here: bool) -> Option<(Code, Kind)> {
         let position = self.params.iter().position(|p| p == name).filter(|_| here && args.is_none());
         if let Some(position) = position {
-            return Some((Code::Param(position as u16), Kind::Unknown));
+            return Some((Code::Param(position as u32), Kind::Unknown));
         }
         let slot = self.loaded.modules[module].slots.get(name).copied().filter(|_| args.is_none_or(<[Arg]>::is_empty));
         if let Some(slot) = slot {
@@ -85,6 +90,9 @@ impl Checker {
 
     fn unknown(&mut self, name: &Arc<str>, call: bool, span: Span) -> (Code, Kind) {
         let zero = (Code::Value(Value::Float(0.0)), Kind::Unknown);
+        if self.is_lost(name) {
+            return zero;
+        }
         if let Some(unbuilt) = UNBUILT_FUNCTIONS.iter().find(|u| u.name == &**name) {
             let message = format!("`{name}` ({}) is CityEngine's; bosquet does not have it yet", unbuilt.does);
             self.tell(Diagnostic::error("unbuilt", span, message).hint("`bosquet ops` lists what there is"));
@@ -131,7 +139,7 @@ impl Checker {
     ) -> (Vec<Option<Code>>, Vec<Span>) {
         let mut codes: Vec<Option<Code>> = spec.params.iter().map(|_| None).collect();
         let mut spans = vec![span; spec.params.len()];
-        let mut next = 0;
+        let (mut next, mut strayed) = (0, false);
         for arg in args {
             let position = match &arg.name {
                 Some(name) => spec.params.iter().position(|p| p.name == &*name.text),
@@ -146,12 +154,16 @@ impl Checker {
                         self.tell(Diagnostic::error("arguments", arg.value.span, message));
                     }
                 }
-                None => self.stray(spec, arg),
+                None => {
+                    strayed = true;
+                    self.stray(spec, arg);
+                }
             }
         }
         let missing = spec.params.iter().zip(&codes).filter(|(p, c)| p.default.is_none() && c.is_none());
         let missing: Vec<String> = missing.map(|(p, _)| format!("`{}`", p.name)).collect();
-        if !missing.is_empty() {
+        // What strayed was probably meant for what is missing.
+        if !missing.is_empty() && !strayed {
             let message = format!("`{}` needs {}", spec.name, missing.join(", "));
             self.tell(Diagnostic::error("arguments", span, message).hint(usage(spec)));
         }
@@ -203,8 +215,11 @@ impl Checker {
                 self.attribute_name(name, value.span)
             }
             (ExprKind::Call(name, None), kind)
-                if kind.takes_words() && !self.is_own_name(name) && functions::find(name).is_none() =>
+                if kind.takes_words() && !self.is_own_name(name) && !is_read(name, kind) =>
             {
+                if kind == ParamKind::Any {
+                    self.bare(name, value.span);
+                }
                 Code::Value(Value::Word(name.clone()))
             }
             _ => self.value(value).0,
@@ -221,6 +236,15 @@ impl Checker {
             self.tell(Diagnostic::error("arguments", value.span, message).did_you_mean(near));
         }
         code
+    }
+
+    /// A bare word where anything may stand: the word itself, or a slip of the pen.
+    fn bare(&mut self, name: &Arc<str>, span: Span) {
+        if let Some(near) = self.near_value(name) {
+            let message = format!("there is no attribute, parameter or function `{name}`: it stands for the text");
+            let quoted = format!("a text that is meant stands in quotes: `\"{name}\"`");
+            self.tell(Diagnostic::lint("word", span, message).did_you_mean(Some(&near)).hint(quoted));
+        }
     }
 
     /// The slot of an attribute as a number, or the name of a built-in one as a word.
@@ -261,6 +285,12 @@ fn is_word(value: &Expr, words: &[&str]) -> bool {
         ExprKind::Call(name, None) | ExprKind::Text(name) => words.contains(&&**name),
         _ => false,
     }
+}
+
+/// Whether a bare word is one of the language's own names, to be read rather than to stand for itself: where a word is
+/// wanted (`report(inside, 1)`), only those that give a text.
+fn is_read(name: &str, kind: ParamKind) -> bool {
+    functions::find(name).is_some_and(|f| kind != ParamKind::Word || result(f.name) == Kind::Text)
 }
 
 /// `it is called as …`, from the declaration.

@@ -101,7 +101,8 @@ impl Checker {
             self.function_kinds[index] = kind;
             self.program.functions.push(Function {
                 name: function.name.text.clone(),
-                params: self.params.len(),
+                params: function.params.as_ref().map_or(0, Vec::len),
+                height: value.height(),
                 value,
                 span: function.name.span,
             });
@@ -188,7 +189,8 @@ impl Checker {
     /// Sets the names that count in the next body.
     fn enter(&mut self, module: usize, params: Option<&[ast::Name]>, locals: &[(ast::Name, ast::Expr)]) {
         self.module = module;
-        self.params = params.unwrap_or_default().iter().map(|p| p.text.clone()).collect();
+        let names = params.unwrap_or_default().iter().chain(locals.iter().map(|(name, _)| name));
+        self.params = names.map(|p| p.text.clone()).collect();
         if let Some((name, _)) = locals.first() {
             let message = "`with` is parsed, but not derived yet";
             self.tell(Diagnostic::error("unbuilt", name.span, message).hint("a parameter or a function does the same"));

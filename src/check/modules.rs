@@ -8,7 +8,7 @@ use crate::diag::{Diagnostic, Place, Severity, Span};
 use crate::syntax::ast::{self, FunctionKind, ItemKind};
 use crate::syntax::{Source, parse};
 use crate::world::{World, join};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// The deepest chain of imports.
@@ -48,11 +48,16 @@ pub(super) struct Module {
     pub prefix: String,
     /// Its imports by name.
     pub imports: BTreeMap<Arc<str>, usize>,
+    /// Imports that could not be loaded, which has been said: what they would have brought is not missed again.
+    pub missing: BTreeSet<Arc<str>>,
     /// Its attributes and constants by name.
-    pub slots: BTreeMap<Arc<str>, u16>,
+    pub slots: BTreeMap<Arc<str>, u32>,
     /// Rules that its importers put in place of its own, by name and number of parameters: which module, item and override.
-    pub replaced: BTreeMap<(Arc<str>, usize), (usize, usize, Option<usize>)>,
+    pub replaced: BTreeMap<(Arc<str>, usize), Replacement>,
 }
+
+/// A rule that stands in for an imported one: its module, item, and the override where it is one.
+pub(super) type Replacement = (usize, usize, Option<usize>);
 
 /// Loads `path` and what it imports.
 pub(super) fn load(world: &dyn World, path: &str) -> Loaded {
@@ -87,7 +92,7 @@ impl Loaded {
         world: &dyn World,
         file: u16,
         prefix: String,
-        outer: &BTreeMap<Arc<str>, u16>,
+        outer: &BTreeMap<Arc<str>, u32>,
         chain: &[u16],
     ) -> usize {
         let index = self.modules.len();
@@ -98,13 +103,19 @@ impl Loaded {
             tree: tree.clone(),
             prefix,
             imports: BTreeMap::new(),
+            missing: BTreeSet::new(),
             slots,
             replaced: BTreeMap::new(),
         });
         let chain: Vec<u16> = chain.iter().copied().chain([file]).collect();
         for (item, definition) in tree.items.iter().enumerate() {
-            if let ItemKind::Import(import) = &definition.kind {
-                self.import(world, index, item, import, &chain);
+            if let ItemKind::Style { name, .. } = &definition.kind {
+                self.error("unbuilt", name.span, "styles are parsed, but not derived yet".into());
+            }
+            if let ItemKind::Import(import) = &definition.kind
+                && self.import(world, index, item, import, &chain).is_none()
+            {
+                self.modules[index].missing.insert(import.name.text.clone());
             }
         }
         self.replace_rules(index, &tree);
@@ -117,8 +128,8 @@ impl Loaded {
         module: usize,
         tree: &Arc<ast::File>,
         prefix: &str,
-        outer: &BTreeMap<Arc<str>, u16>,
-    ) -> BTreeMap<Arc<str>, u16> {
+        outer: &BTreeMap<Arc<str>, u32>,
+    ) -> BTreeMap<Arc<str>, u32> {
         let mut slots = BTreeMap::new();
         for (item, definition) in tree.items.iter().enumerate() {
             let ItemKind::Function(function) = &definition.kind else { continue };
@@ -147,7 +158,7 @@ impl Loaded {
         item: usize,
         function: &ast::Function,
         prefix: &str,
-    ) -> u16 {
+    ) -> u32 {
         self.attributes.push(Attribute {
             name: format!("{prefix}{}", function.name.text).into(),
             public: function.kind == FunctionKind::Attr,
@@ -159,16 +170,24 @@ impl Loaded {
             span: function.name.span,
         });
         self.initials.push(Some((module, tree.clone(), Initial::Item(item))));
-        (self.attributes.len() - 1) as u16
+        (self.attributes.len() - 1) as u32
     }
 
-    fn import(&mut self, world: &dyn World, module: usize, item: usize, import: &ast::Import, chain: &[u16]) {
+    /// Loads an import; nothing where it cannot be loaded.
+    fn import(
+        &mut self,
+        world: &dyn World,
+        module: usize,
+        item: usize,
+        import: &ast::Import,
+        chain: &[u16],
+    ) -> Option<()> {
         let from = self.files[self.modules[module].file as usize].0.path().to_string();
         let path = join(&from, &import.path.text);
         let span = import.path.span;
         if chain.len() >= DEEPEST_IMPORT {
             self.error("import", span, format!("imports are nested deeper than {DEEPEST_IMPORT}"));
-            return;
+            return None;
         }
         let bytes = match world.source(&path) {
             Ok(bytes) => bytes,
@@ -176,7 +195,7 @@ impl Loaded {
                 let hint = "paths of imports are relative to the file that imports";
                 let diagnostic = Diagnostic::error("import", span, error.to_string()).hint(hint);
                 self.diagnostics.push(diagnostic);
-                return;
+                return None;
             }
         };
         let file = self.file(&path, &bytes);
@@ -184,7 +203,7 @@ impl Loaded {
             let names: Vec<&str> =
                 chain[at..].iter().chain([&file]).map(|f| self.files[*f as usize].0.path()).collect();
             self.error("import-cycle", span, format!("the imports go in a circle: {}", names.join(" → ")));
-            return;
+            return None;
         }
         if let Some(style) = import.styles.first() {
             self.error("unbuilt", style.span, "styles are parsed, but not derived yet".into());
@@ -196,10 +215,11 @@ impl Loaded {
         if self.modules[module].imports.insert(import.name.text.clone(), inner).is_some() {
             self.error("defined-twice", import.name.span, format!("`{}` is imported twice", import.name.text));
         }
+        Some(())
     }
 
     /// The slots of a module that reach into an import: all, or those that its parentheses do not hold back.
-    fn propagated(&self, module: usize, import: &ast::Import) -> BTreeMap<Arc<str>, u16> {
+    fn propagated(&self, module: usize, import: &ast::Import) -> BTreeMap<Arc<str>, u32> {
         let slots = &self.modules[module].slots;
         let Some(overrides) = &import.overrides else { return slots.clone() };
         if overrides.is_empty() {

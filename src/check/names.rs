@@ -64,8 +64,11 @@ pub(super) fn rule_at(tree: &ast::File, item: usize, given: Option<usize>) -> &a
 /// A definition that was given twice: the later name.
 pub(super) type Repeated = ast::Name;
 
+/// Where a function is written: its module, tree and item.
+pub(super) type Definition = (usize, Arc<ast::File>, usize);
+
 /// Numbers every rule and function of every module; names given twice come back.
-pub(super) fn number(modules: &[Module]) -> (Names, Vec<Written>, Vec<(usize, Arc<ast::File>, usize)>, Vec<Repeated>) {
+pub(super) fn number(modules: &[Module]) -> (Names, Vec<Written>, Vec<Definition>, Vec<Repeated>) {
     let (mut names, mut rules, mut functions, mut repeated) = (Names::default(), Vec::new(), Vec::new(), Vec::new());
     for (index, module) in modules.iter().enumerate() {
         names.rules.push(number_rules(index, module, &mut rules, &mut repeated));
@@ -108,7 +111,7 @@ fn both_papers(first: &ast::Rule, second: &ast::Rule) -> bool {
 fn number_functions(
     index: usize,
     module: &Module,
-    functions: &mut Vec<(usize, Arc<ast::File>, usize)>,
+    functions: &mut Vec<Definition>,
     repeated: &mut Vec<Repeated>,
 ) -> BTreeMap<(Arc<str>, usize), u32> {
     let mut known = BTreeMap::new();

@@ -22,7 +22,7 @@ pub struct Program {
     /// Every attribute and constant of every file; shapes hold their values in this order.
     pub attributes: Vec<Attribute>,
     /// The order in which attributes are evaluated: what another needs comes first.
-    pub order: Vec<u16>,
+    pub order: Vec<u32>,
     /// The rules of the main file that can begin: those without parameters, by name.
     pub starts: Vec<(Arc<str>, u32)>,
     /// `@Zone(kind, zone)` on rules of the main file.
@@ -63,6 +63,8 @@ pub struct Function {
     pub params: usize,
     /// Its value.
     pub value: Code,
+    /// How high the tree of its value is: what a call takes of the stack.
+    pub height: usize,
     /// Where its name is written.
     pub span: Span,
 }
@@ -106,9 +108,9 @@ pub enum Code {
     /// A value.
     Value(Value),
     /// A parameter or local of the rule or function, by position.
-    Param(u16),
+    Param(u32),
     /// An attribute, by slot.
-    Attribute(u16),
+    Attribute(u32),
     /// A function of a file.
     Function(u32, Box<[Code]>),
     /// A built-in function or shape attribute.
@@ -283,6 +285,11 @@ impl Code {
                 arms.iter().flat_map(|(test, value)| [test, value]).chain([&**otherwise]).collect()
             }
         }
+    }
+
+    /// How high its tree is.
+    pub fn height(&self) -> usize {
+        1 + self.parts().into_iter().map(Code::height).max().unwrap_or(0)
     }
 
     /// The value, where it is known before derivation.

@@ -24,6 +24,9 @@ const CLOCK: usize = 1024;
 /// Arguments of a rule; most have none, and waiting shapes shall be small.
 type Args = Box<[Value]>;
 
+/// Arguments of an operation, in the order of its parameters.
+type Values = SmallVec<[Option<Value>; 6]>;
+
 /// Derives one region.
 pub(super) fn lot(
     program: &Program,
@@ -36,7 +39,7 @@ pub(super) fn lot(
     let region = &layout.regions[index];
     let symbol = program.rules[rule as usize].symbol;
     let start = program.symbols[symbol as usize].clone();
-    let mut shape = initial::shape(region, initial::seed(region, options.seed));
+    let mut shape = Box::new(initial::shape(region, initial::seed(region, options.seed)));
     let looking = program.looks_around;
     let mut engine = Engine {
         program,
@@ -48,18 +51,23 @@ pub(super) fn lot(
         lot: region.id.clone(),
         outcome: Outcome::default(),
         queue: Vec::new(),
+        branches: vec![NodeId(0)],
         begun: Instant::now(),
     };
     engine.attributes(&mut shape, region);
-    engine.queue.push(Task { shape, parent: NodeId(0), symbol, rule: Some(rule), args: Args::default(), depth: 0 });
+    let (args, rule) = (Args::default(), Some(rule));
+    engine.queue.push(Task { shape, parent: NodeId(0), branch: NodeId(0), symbol, rule, args, depth: 0 });
     engine.run();
     engine.outcome
 }
 
-/// A shape that waits for its rule.
+/// A shape that waits for its rule. Shapes are large and pass through many hands, so they stay in their box from the
+/// operation that made them to the leaf.
 struct Task {
-    shape: Shape,
+    shape: Box<Shape>,
     parent: NodeId,
+    /// The branch that it came from.
+    branch: NodeId,
     symbol: u32,
     rule: Option<u32>,
     args: Args,
@@ -69,9 +77,9 @@ struct Task {
 /// Why a rule ends early.
 enum Stop {
     /// This shape is left out.
-    Branch(Diagnostic),
+    Branch(Box<Diagnostic>),
     /// A limit: the lot ends here.
-    Lot(Diagnostic),
+    Lot(Box<Diagnostic>),
 }
 
 struct Engine<'a> {
@@ -84,6 +92,9 @@ struct Engine<'a> {
     lot: Arc<str>,
     outcome: Outcome,
     queue: Vec<Task>,
+    /// For occlusion a tree finer than that of the nodes, as each branch's parent: every piece of a block and every
+    /// bracket is a branch of its own, so that siblings within a rule see each other.
+    branches: Vec<NodeId>,
     begun: Instant,
 }
 
@@ -96,8 +107,10 @@ struct Turn {
 
 /// The current shape and what became of it so far.
 struct Current {
-    shape: Shape,
+    shape: Box<Shape>,
     random: Random,
+    /// Its branch.
+    branch: NodeId,
     /// The scope when the rule, piece or bracket began: what `center` centres in.
     around: Scope,
     /// Successors and operations so far: the seeds' index.
@@ -119,9 +132,16 @@ struct Heir {
 }
 
 impl Current {
-    fn new(shape: Shape) -> Current {
+    fn new(shape: Box<Shape>, branch: NodeId) -> Current {
         let random = shape.seed.draw("rand");
-        Current { around: shape.scope, shape, random, count: 0, used: false, deleted: false, heir: None }
+        Current { branch, around: shape.scope, shape, random, count: 0, used: false, deleted: false, heir: None }
+    }
+
+    /// After an operation: a new seed begins its numbers anew.
+    fn changed(&mut self, seed: Seed) {
+        if self.shape.seed != seed {
+            self.random = self.shape.seed.draw("rand");
+        }
     }
 }
 
@@ -158,9 +178,9 @@ impl Engine<'_> {
         while let Some(task) = self.queue.pop() {
             if let Err(stop) = self.within_limits(&task).and_then(|()| self.task(task)) {
                 match stop {
-                    Stop::Branch(diagnostic) => self.outcome.diagnostics.push(diagnostic),
+                    Stop::Branch(diagnostic) => self.outcome.diagnostics.push(*diagnostic),
                     Stop::Lot(diagnostic) => {
-                        self.outcome.diagnostics.push(diagnostic);
+                        self.outcome.diagnostics.push(*diagnostic);
                         break;
                     }
                 }
@@ -187,20 +207,21 @@ impl Engine<'_> {
         };
         let span = task.rule.map_or(Span::default(), |r| self.program.rules[r as usize].span);
         let hint = "a rule that comes back to itself needs a `case` that ends it";
-        Err(Stop::Lot(self.diagnostic("limit", span, message, task.parent).hint(hint)))
+        Err(Stop::Lot(Box::new(self.diagnostic("limit", span, message, task.parent).hint(hint))))
     }
 
     fn task(&mut self, task: Task) -> Result<(), Stop> {
         let node = NodeId(self.outcome.nodes.len() as u32);
         let parent = if node.0 == 0 { node } else { task.parent };
         self.outcome.nodes.push(Node { parent, symbol: task.symbol, rule: task.rule });
+        let branch = self.branch(task.branch);
         let Some(rule) = task.rule else {
-            self.leaf(node, task.shape);
+            self.leaf(node, branch, task.shape);
             return Ok(());
         };
         let turn = Turn { node, args: task.args, depth: task.depth };
         let (program, waiting) = (self.program, self.queue.len());
-        let done = self.body(&program.rules[rule as usize].body, &turn, Current::new(task.shape));
+        let done = self.body(&program.rules[rule as usize].body, &turn, Current::new(task.shape, branch));
         if done.is_err() {
             self.queue.truncate(waiting);
         }
@@ -213,8 +234,8 @@ impl Engine<'_> {
     fn body(&mut self, body: &Body, turn: &Turn, mut current: Current) -> Result<(), Stop> {
         self.steps(body, turn, &mut current)?;
         match current.heir {
-            Some(heir) => self.succeed(heir, current.shape, turn),
-            None if !current.used && !current.deleted => self.leaf(turn.node, current.shape),
+            Some(heir) => self.succeed(heir, current.shape, current.branch, turn),
+            None if !current.used && !current.deleted => self.leaf(turn.node, current.branch, current.shape),
             None => {}
         }
         Ok(())
@@ -301,19 +322,45 @@ impl Engine<'_> {
             Step::Delete => current.deleted = true,
             Step::Successor(successor) => self.successor(successor, turn, current)?,
             Step::Apply(application) => self.application(application, turn, current)?,
-            Step::Push(body) => {
-                let mut inner = Current::new(current.shape.clone());
-                inner.shape.seed = current.shape.seed.child(current.count);
-                inner.random = inner.shape.seed.draw("rand");
-                current.count += 1;
-                self.steps(body, turn, &mut inner)?;
-                current.used |= inner.used;
-                if let Some(heir) = inner.heir {
-                    self.succeed(heir, inner.shape, turn);
-                }
-            }
+            Step::Push(body) => self.bracket(body, turn, current)?,
         }
         Ok(())
+    }
+
+    /// Runs a bracket on a copy of the shape. What it inserts or raises without naming a successor is built, as in
+    /// the papers; what fails in it is left out, and the rule goes on.
+    fn bracket(&mut self, body: &Body, turn: &Turn, current: &mut Current) -> Result<(), Stop> {
+        let mut shape = current.shape.clone();
+        shape.seed = current.shape.seed.child(current.count);
+        current.count += 1;
+        let before = std::mem::discriminant(&shape.geometry);
+        let mut inner = Current::new(shape, self.branch(current.branch));
+        match self.steps(body, turn, &mut inner) {
+            Err(Stop::Branch(diagnostic)) => {
+                self.outcome.diagnostics.push(*diagnostic);
+                current.used = true;
+                return Ok(());
+            }
+            other => other?,
+        }
+        let made = inner.shape.is_closed() && std::mem::discriminant(&inner.shape.geometry) != before;
+        let built = made && !inner.used && !inner.deleted;
+        current.used |= inner.used || built;
+        match inner.heir {
+            Some(heir) => self.succeed(heir, inner.shape, inner.branch, turn),
+            None if built => self.leaf(turn.node, inner.branch, inner.shape),
+            None => {}
+        }
+        Ok(())
+    }
+
+    /// A new branch that grows from another.
+    fn branch(&mut self, parent: NodeId) -> NodeId {
+        if !self.program.looks_around {
+            return parent;
+        }
+        self.branches.push(parent);
+        NodeId(self.branches.len() as u32 - 1)
     }
 
     fn successor(&mut self, successor: &Successor, turn: &Turn, current: &mut Current) -> Result<(), Stop> {
@@ -332,24 +379,25 @@ impl Engine<'_> {
     /// A step follows, so the last successor gets a copy.
     fn settle(&mut self, turn: &Turn, current: &mut Current) {
         if let Some(heir) = current.heir.take() {
-            self.succeed(heir, current.shape.clone(), turn);
+            self.succeed(heir, current.shape.clone(), current.branch, turn);
         }
     }
 
-    fn succeed(&mut self, heir: Heir, shape: Shape, turn: &Turn) {
+    fn succeed(&mut self, heir: Heir, mut shape: Box<Shape>, branch: NodeId, turn: &Turn) {
         let Heir { symbol, rule, args, seed } = heir;
-        let shape = Shape { seed, ..shape };
-        self.queue.push(Task { shape, parent: turn.node, symbol, rule, args, depth: turn.depth + 1 });
+        shape.seed = seed;
+        self.queue.push(Task { shape, parent: turn.node, branch, symbol, rule, args, depth: turn.depth + 1 });
     }
 
     fn application(&mut self, application: &Application, turn: &Turn, current: &mut Current) -> Result<(), Stop> {
-        let mut frame = self.frame(turn, current);
         let cuts = match &application.block {
-            Block::Cuts(cuts) => select::cuts(cuts, &mut frame),
-            _ => Ok(Vec::new()),
+            Block::Cuts(cuts) => {
+                select::cuts(cuts, &mut self.frame(turn, current)).map_err(|f| self.failed(f, turn))?
+            }
+            _ => Vec::new(),
         };
-        let cuts = cuts.map_err(|f| self.failed(f, turn))?;
-        let mut values = self.arguments(application, turn, current)?;
+        let mut values = Values::new();
+        self.arguments(application, turn, current, &mut values)?;
         let chosen = match &application.block {
             Block::Selectors(selectors) => {
                 let components = application.operation.components(&mut values.clone(), &current.shape);
@@ -359,7 +407,7 @@ impl Engine<'_> {
             }
             _ => Vec::new(),
         };
-        let seed = current.shape.seed.child(current.count);
+        let (own_seed, seed) = (current.shape.seed, current.shape.seed.child(current.count));
         current.count += 1;
         let given = Given {
             cuts: &cuts,
@@ -374,13 +422,14 @@ impl Engine<'_> {
         };
         let pieces = application.operation.apply(&mut values, &mut current.shape, &given);
         match pieces.map_err(|p| self.problem(application.span, p, turn))? {
-            Pieces::Changed => {}
+            Pieces::Changed => current.changed(own_seed),
+            Pieces::Vanished => current.deleted = true,
             Pieces::Told(effect) => self.effect(effect, turn, current),
             Pieces::Parts(parts) => {
                 current.used = true;
-                self.parts(application, parts, seed, turn)?;
+                self.parts(application, parts, (seed, current.branch), turn)?;
             }
-            Pieces::Beside(parts) => self.parts(application, parts, seed, turn)?,
+            Pieces::Beside(parts) => self.parts(application, parts, (seed, current.branch), turn)?,
         }
         Ok(())
     }
@@ -390,33 +439,37 @@ impl Engine<'_> {
         application: &Application,
         turn: &Turn,
         current: &mut Current,
-    ) -> Result<SmallVec<[Option<Value>; 6]>, Stop> {
-        let mut values = SmallVec::with_capacity(application.args.len());
+        values: &mut Values,
+    ) -> Result<(), Stop> {
         for arg in &application.args {
-            let value = match arg {
-                Some(code) => {
-                    let value = self.frame(turn, current).with(|n, a| evaluate::evaluate(code, n, a));
-                    Some(value.map_err(|f| self.failed(f, turn))?)
-                }
-                None => None,
-            };
-            values.push(value);
+            let value = arg.as_ref().map(|code| match code.known() {
+                Some(value) => Ok(value.clone()),
+                None => self.frame(turn, current).with(|n, a| evaluate::evaluate(code, n, a)),
+            });
+            values.push(value.transpose().map_err(|f| self.failed(f, turn))?);
         }
-        Ok(values)
+        Ok(())
     }
 
     /// Runs the block's bodies on the pieces; a piece that fails is left out and the others go on.
-    fn parts(&mut self, application: &Application, parts: Vec<Part>, seed: Seed, turn: &Turn) -> Result<(), Stop> {
+    fn parts(
+        &mut self,
+        application: &Application,
+        parts: Vec<Part>,
+        (seed, branch): (Seed, NodeId),
+        turn: &Turn,
+    ) -> Result<(), Stop> {
         if self.outcome.nodes.len() + self.queue.len() + parts.len() > self.options.limits.shapes {
             let message = format!("the lot has more shapes than the limit `shapes` of {}", self.options.limits.shapes);
-            return Err(Stop::Lot(self.diagnostic("limit", application.span, message, turn.node)));
+            return Err(Stop::Lot(Box::new(self.diagnostic("limit", application.span, message, turn.node))));
         }
         for (index, part) in parts.into_iter().enumerate() {
-            let mut shape = part.shape;
+            let mut shape = Box::new(part.shape);
             shape.seed = seed.child(index as u64);
             let Some(body) = application.bodies.get(part.entry as usize) else { continue };
-            match self.body(body, turn, Current::new(shape)) {
-                Err(Stop::Branch(diagnostic)) => self.outcome.diagnostics.push(diagnostic),
+            let current = Current::new(shape, self.branch(branch));
+            match self.body(body, turn, current) {
+                Err(Stop::Branch(diagnostic)) => self.outcome.diagnostics.push(*diagnostic),
                 other => other?,
             }
         }
@@ -432,39 +485,45 @@ impl Engine<'_> {
             }
             Effect::Label(label) if self.program.looks_around => {
                 let footprint = current.shape.footprint();
-                self.intra.add(Occluder { label: Some(label), node: Some(turn.node), footprint });
+                self.intra.add(Occluder { label: Some(label), node: Some(current.branch), footprint });
             }
             Effect::Label(_) => {}
         }
     }
 
-    fn leaf(&mut self, node: NodeId, shape: Shape) {
+    fn leaf(&mut self, node: NodeId, branch: NodeId, shape: Box<Shape>) {
         if self.program.looks_around && shape.is_closed() {
-            self.intra.add(Occluder { label: None, node: Some(node), footprint: shape.footprint() });
+            self.intra.add(Occluder { label: None, node: Some(branch), footprint: shape.footprint() });
         }
         self.outcome.leaves.push(LeafOf { node, shape });
     }
 
     fn frame<'f>(&'f self, turn: &'f Turn, current: &'f mut Current) -> Frame<'f> {
         Frame {
-            names: Names { program: self.program, params: &turn.args, calls: self.options.limits.calls },
+            names: Names {
+                program: self.program,
+                params: &turn.args,
+                calls: self.options.limits.calls,
+                room: evaluate::HIGHEST,
+            },
             shape: &current.shape,
             random: &mut current.random,
             intra: &self.intra,
             inter: &self.inter,
             initial: &self.initial,
-            nodes: &self.outcome.nodes,
-            node: turn.node,
+            branches: &self.branches,
+            branch: current.branch,
         }
     }
 
     fn failed(&self, failure: Failure, turn: &Turn) -> Stop {
-        Stop::Branch(self.diagnostic("value", failure.span, failure.message, turn.node))
+        Stop::Branch(Box::new(self.diagnostic("value", failure.span, failure.message, turn.node)))
     }
 
     fn problem(&self, span: Span, problem: Problem, turn: &Turn) -> Stop {
         let mut diagnostic = self.diagnostic("geometry", span, problem.message, turn.node);
         diagnostic.hints = problem.hints;
+        let diagnostic = Box::new(diagnostic);
         if problem.fatal { Stop::Lot(diagnostic) } else { Stop::Branch(diagnostic) }
     }
 
@@ -492,8 +551,8 @@ pub(super) struct Frame<'f> {
     intra: &'f Occluders,
     inter: &'f Occluders,
     initial: &'f Initial,
-    nodes: &'f [Node],
-    node: NodeId,
+    branches: &'f [NodeId],
+    branch: NodeId,
 }
 
 impl Frame<'_> {
@@ -504,7 +563,7 @@ impl Frame<'_> {
 
     /// Evaluates on another shape: a component that a selector asks about.
     pub fn on<T>(&mut self, shape: &Shape, f: impl FnOnce(&Names, &mut Surroundings) -> T) -> T {
-        let is_ancestor = |other: NodeId| ancestors(self.nodes, self.node).any(|node| node == other);
+        let is_ancestor = |other: NodeId| climb(self.branches, self.branch).any(|branch| branch == other);
         let mut around = Surroundings {
             shape,
             random: self.random,
@@ -515,6 +574,11 @@ impl Frame<'_> {
         };
         f(&self.names, &mut around)
     }
+}
+
+/// A branch and those that it grows from.
+fn climb(branches: &[NodeId], from: NodeId) -> impl Iterator<Item = NodeId> {
+    std::iter::successors(Some(from), |id| Some(branches[id.0 as usize]).filter(|parent| parent != id))
 }
 
 /// A node and its ancestors, upwards.

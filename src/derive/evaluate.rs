@@ -2,9 +2,10 @@
 
 use crate::check::{Code, Program};
 use crate::diag::Span;
-use crate::functions::Surroundings;
+use crate::functions::{Function, Surroundings};
 use crate::syntax::ast::{BinaryOp, SizeMark};
 use crate::value::{Size, Value};
+use smallvec::SmallVec;
 use std::sync::Arc;
 
 /// Why an expression has no value.
@@ -24,59 +25,114 @@ pub(super) struct Names<'a> {
     pub params: &'a [Value],
     /// How many function calls may still be nested.
     pub calls: usize,
+    /// How much higher the tree of calls may grow, so that the stack holds.
+    pub room: usize,
 }
 
+/// The highest tree of expressions within function calls: some 400 bytes a level, far below a thread's stack.
+pub(super) const HIGHEST: usize = 2_000;
+
 /// The value of an expression on the shape of `around`.
+///
+/// Recursive: what an arm needs room for stands in a function of its own, so that a level takes little of the stack.
 pub(super) fn evaluate(code: &Code, names: &Names, around: &mut Surroundings) -> Result<Value, Failure> {
     match code {
         Code::Value(value) => Ok(value.clone()),
-        Code::Param(index) => Ok(names.params[*index as usize].clone()),
+        // Programs with errors may name what is not there; they are not meant to be derived, but must not panic.
+        Code::Param(index) => Ok(names.params.get(*index as usize).cloned().unwrap_or(Value::Float(0.0))),
         Code::Attribute(slot) => Ok(around.shape.attributes[*slot as usize].clone()),
         Code::Function(index, args) => call(*index, args, names, around),
-        Code::Builtin(function, args, span) => {
-            let values: smallvec::SmallVec<[Value; 4]> =
-                args.iter().map(|arg| evaluate(arg, names, around)).collect::<Result<_, _>>()?;
-            (function.call)(&values, around)
-                .map_err(|message| Failure { span: *span, message: format!("`{}` {message}", function.name) })
-        }
-        Code::Sized(mark, inner, span) => {
-            let number = number(inner, names, around, *span)?;
-            Ok(Value::Size(match mark {
-                SizeMark::Relative => Size::Relative(number),
-                SizeMark::Floating => Size::Floating(number),
-            }))
-        }
-        Code::Negate(inner, span) => Ok(Value::Float(-number(inner, names, around, *span)?)),
-        Code::Not(inner, span) => Ok(Value::Bool(!truth(inner, names, around, *span)?)),
-        Code::And(pair, span) => {
-            Ok(Value::Bool(truth(&pair.0, names, around, *span)? && truth(&pair.1, names, around, *span)?))
-        }
-        Code::Or(pair, span) => {
-            Ok(Value::Bool(truth(&pair.0, names, around, *span)? || truth(&pair.1, names, around, *span)?))
-        }
-        Code::Binary(op, pair, span) => {
-            let (left, right) = (evaluate(&pair.0, names, around)?, evaluate(&pair.1, names, around)?);
-            binary(*op, left, right).map_err(|message| Failure { span: *span, message })
-        }
-        Code::Case(arms, otherwise, span) => {
-            for (test, value) in arms {
-                if truth(test, names, around, *span)? {
-                    return evaluate(value, names, around);
-                }
-            }
-            evaluate(otherwise, names, around)
-        }
-        Code::Chance(arms, otherwise, span) => {
-            let mut left = around.random.uniform(0.0, 100.0);
-            for (percent, value) in arms {
-                left -= number(percent, names, around, *span)?;
-                if left < 0.0 {
-                    return evaluate(value, names, around);
-                }
-            }
-            evaluate(otherwise, names, around)
+        Code::Builtin(function, args, span) => builtin(function, args, *span, names, around),
+        Code::Sized(mark, inner, span) => number(inner, names, around, *span).map(|n| sized(*mark, n)),
+        Code::Negate(inner, span) => number(inner, names, around, *span).map(|n| Value::Float(-n)),
+        Code::Not(inner, span) => truth(inner, names, around, *span).map(|t| Value::Bool(!t)),
+        Code::And(pair, span) => both(pair, *span, false, names, around),
+        Code::Or(pair, span) => both(pair, *span, true, names, around),
+        Code::Binary(op, pair, span) => operation(*op, pair, *span, names, around),
+        Code::Case(arms, otherwise, span) => case(arms, otherwise, *span, names, around),
+        Code::Chance(arms, otherwise, span) => chance(arms, otherwise, *span, names, around),
+    }
+}
+
+#[inline(never)]
+fn builtin(
+    function: &Function,
+    args: &[Code],
+    span: Span,
+    names: &Names,
+    around: &mut Surroundings,
+) -> Result<Value, Failure> {
+    let values: Result<SmallVec<[Value; 4]>, Failure> = args.iter().map(|arg| evaluate(arg, names, around)).collect();
+    (function.call)(&values?, around)
+        .map_err(|message| Failure { span, message: format!("`{}` {message}", function.name) })
+}
+
+fn sized(mark: SizeMark, number: f64) -> Value {
+    Value::Size(match mark {
+        SizeMark::Relative => Size::Relative(number),
+        SizeMark::Floating => Size::Floating(number),
+    })
+}
+
+/// `&&` and `||`: where the left side is `enough`, the right one is not evaluated.
+#[inline(never)]
+fn both(
+    pair: &(Code, Code),
+    span: Span,
+    enough: bool,
+    names: &Names,
+    around: &mut Surroundings,
+) -> Result<Value, Failure> {
+    if truth(&pair.0, names, around, span)? == enough {
+        return Ok(Value::Bool(enough));
+    }
+    truth(&pair.1, names, around, span).map(Value::Bool)
+}
+
+#[inline(never)]
+fn operation(
+    op: BinaryOp,
+    pair: &(Code, Code),
+    span: Span,
+    names: &Names,
+    around: &mut Surroundings,
+) -> Result<Value, Failure> {
+    let (left, right) = (evaluate(&pair.0, names, around)?, evaluate(&pair.1, names, around)?);
+    binary(op, left, right).map_err(|message| Failure { span, message })
+}
+
+#[inline(never)]
+fn case(
+    arms: &[(Code, Code)],
+    otherwise: &Code,
+    span: Span,
+    names: &Names,
+    around: &mut Surroundings,
+) -> Result<Value, Failure> {
+    for (test, value) in arms {
+        if truth(test, names, around, span)? {
+            return evaluate(value, names, around);
         }
     }
+    evaluate(otherwise, names, around)
+}
+
+#[inline(never)]
+fn chance(
+    arms: &[(Code, Code)],
+    otherwise: &Code,
+    span: Span,
+    names: &Names,
+    around: &mut Surroundings,
+) -> Result<Value, Failure> {
+    let mut left = around.random.uniform(0.0, 100.0);
+    for (percent, value) in arms {
+        left -= number(percent, names, around, span)?;
+        if left < 0.0 {
+            return evaluate(value, names, around);
+        }
+    }
+    evaluate(otherwise, names, around)
 }
 
 /// An expression that must give true or false.
@@ -96,17 +152,19 @@ pub(super) fn number(code: &Code, names: &Names, around: &mut Surroundings, span
         .ok_or_else(|| Failure { span, message: format!("a number is wanted, found {} `{value}`", value.type_name()) })
 }
 
+#[inline(never)]
 fn call(index: u32, args: &[Code], names: &Names, around: &mut Surroundings) -> Result<Value, Failure> {
     let function = &names.program.functions[index as usize];
-    let Some(calls) = names.calls.checked_sub(1) else {
-        let message = format!("`{}` calls itself too often: the limit is `calls`", function.name);
+    let left = names.calls.checked_sub(1).zip(names.room.checked_sub(function.height));
+    let Some((calls, room)) = left else {
+        let message = format!("`{}` is called too deep within itself or others: the limit is `calls`", function.name);
         return Err(Failure { span: function.span, message });
     };
-    let params: smallvec::SmallVec<[Value; 4]> =
-        args.iter().map(|arg| evaluate(arg, names, around)).collect::<Result<_, _>>()?;
-    evaluate(&function.value, &Names { program: names.program, params: &params, calls }, around)
+    let params: SmallVec<[Value; 4]> = args.iter().map(|arg| evaluate(arg, names, around)).collect::<Result<_, _>>()?;
+    evaluate(&function.value, &Names { program: names.program, params: &params, calls, room }, around)
 }
 
+#[inline(never)]
 fn binary(op: BinaryOp, left: Value, right: Value) -> Result<Value, String> {
     use BinaryOp as B;
     if let (Some(a), Some(b)) = (left.as_float(), right.as_float()) {
@@ -160,7 +218,7 @@ pub(super) fn attributes(
         let mut around = Surroundings { shape: &shape, random: &mut random, ..reborrow(around) };
         let value = match given(slot) {
             Some(value) => Ok(value),
-            None => evaluate(&attribute.initial, &Names { program, params: &[], calls }, &mut around),
+            None => evaluate(&attribute.initial, &Names { program, params: &[], calls, room: HIGHEST }, &mut around),
         };
         match value {
             Ok(value) => Arc::make_mut(&mut shape.attributes)[slot] = value,

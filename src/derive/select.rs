@@ -39,8 +39,10 @@ pub(super) fn choose(
     let mut chosen = vec![None; components.len()];
     for (entry, selector) in selectors.iter().enumerate() {
         let choice = Choice { entry: entry as u16, together: selector.together };
+        // What is left over answers to its own word alone: it has no number, and no condition takes it.
+        let total = components.iter().filter(|component| !component.is_rest()).count();
         for (index, component) in components.iter().enumerate() {
-            if chosen[index].is_none() && asks_for(selector, component, index, components.len(), frame)? {
+            if chosen[index].is_none() && asks_for(selector, component, index, total, frame)? {
                 chosen[index] = Some(choice);
             }
         }
@@ -59,6 +61,7 @@ fn asks_for(
         Test::Word(word) => Ok(Selectors::of_word(word).is_some_and(|s| component.selectors.meets(s))
             || component.words.contains(&&**word)),
         Test::Remainder => Ok(component.words.contains(&"remainder")),
+        _ if component.is_rest() => Ok(false),
         Test::Index(code) => {
             let wanted = frame.with(|names, around| number(code, names, around, crate::diag::Span::default()))?;
             let wanted = wanted.round();

@@ -78,7 +78,14 @@ fn channel(around: &Surroundings, index: usize) -> Value {
     Value::Float(f64::from(around.shape.style.color.unwrap_or([1.0; 4])[index]))
 }
 
+/// The turns about x, y and z in degrees; of the two that every rotation has, the one that lies nearer to a mere turn
+/// about y.
 fn turn(around: &Surroundings) -> DVec3 {
     let (x, y, z) = around.shape.scope.frame.rotation.to_euler(EulerRot::XYZ);
-    DVec3::new(x, y, z).map(f64::to_degrees)
+    let turn = DVec3::new(x, y, z).map(f64::to_degrees);
+    if turn.x.abs() + turn.z.abs() <= 180.0 {
+        return turn;
+    }
+    let opposite = |angle: f64| angle - 180f64.copysign(angle);
+    DVec3::new(opposite(turn.x), -opposite(turn.y), opposite(turn.z))
 }

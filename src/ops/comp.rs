@@ -40,6 +40,9 @@ choice! {
     }
 }
 
+/// Parts nearer than this (metres) to each other meet.
+const ALONG: f64 = 1e-4;
+
 impl Apply for Comp {
     fn components(&self, shape: &Shape) -> Result<Vec<Component>, Problem> {
         let mut found = match (self.component, &shape.geometry) {
@@ -95,14 +98,27 @@ fn joined(parent: &Shape, shapes: Vec<Shape>) -> Result<Shape, Problem> {
 
 fn faces(shape: &Shape) -> Vec<Component> {
     let mesh = shape.local_mesh().unwrap_or_default();
-    mesh.faces()
-        .filter_map(|face| {
-            let normal = face.normal();
-            let rings: Vec<Vec<DVec3>> = face.rings().map(|ring| face.positions(ring).collect()).collect();
-            let child = face_shape(shape, &rings, normal)?;
-            Some(Component { selectors: Selectors::of_normal(normal, shape), shape: child, words: &[] })
-        })
-        .collect()
+    let found = mesh.faces().enumerate().filter_map(|(index, face)| {
+        let normal = face.normal();
+        let rings: Vec<Vec<DVec3>> = face.rings().map(|ring| face.positions(ring).collect()).collect();
+        let child = face_shape(shape, &rings, normal)?;
+        let selectors = Selectors::of_normal(normal, shape);
+        let selectors = match &shape.geometry {
+            Geometry::Flat(_, area) if is_surrounded(area, index) => selectors.inside(),
+            Geometry::Flat(..) => selectors.border(),
+            _ => selectors,
+        };
+        Some(Component { selectors, shape: child, words: &[] })
+    });
+    found.collect()
+}
+
+/// Whether the outline of a part runs along other parts all around: what `offset` leaves inside its band. Cost: the
+/// vertices of the part times those of all others.
+fn is_surrounded(area: &Area, index: usize) -> bool {
+    let polygons = area.polygons();
+    let others: Area = (0..polygons.len()).filter(|i| *i != index).map(|i| polygons[i].clone()).collect();
+    !others.is_empty() && polygons[index].outer().iter().all(|p| others.distance_to_edges(*p) < ALONG)
 }
 
 /// A face as a shape: z along the normal, x along the first edge.

@@ -17,6 +17,13 @@ pub struct Component {
     pub words: &'static [&'static str],
 }
 
+impl Component {
+    /// Whether it is what other components leave over, not a component itself.
+    pub fn is_rest(&self) -> bool {
+        self.selectors == Selectors::none()
+    }
+}
+
 /// A set of selector words.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Selectors(u32);

@@ -41,7 +41,7 @@ pub use unbuilt::{UNBUILT_FUNCTIONS, UNBUILT_OPERATIONS, Unbuilt};
 
 use crate::element::Catalogue;
 use crate::seed::Seed;
-use crate::shape::Shape;
+use crate::shape::{Geometry, Shape};
 use crate::value::Value;
 use crate::world::World;
 use std::sync::Arc;
@@ -82,9 +82,15 @@ pub struct Operation {
     pub spec: &'static Spec,
     /// It asks for what lies around the shape.
     pub looks_around: bool,
-    components: fn(&mut [Option<Value>], &Shape) -> Result<Vec<Component>, Problem>,
-    apply: fn(&mut [Option<Value>], &mut Shape, &Given) -> Result<Pieces, Problem>,
+    components: Components,
+    apply: Application,
 }
+
+/// Arguments, one per parameter, and a shape → what selectors choose among.
+type Components = fn(&mut [Option<Value>], &Shape) -> Result<Vec<Component>, Problem>;
+
+/// Arguments, one per parameter, and a shape → pieces; the shape is changed in place.
+type Application = fn(&mut [Option<Value>], &mut Shape, &Given) -> Result<Pieces, Problem>;
 
 /// What the engine hands to an operation beside the shape and its arguments.
 pub struct Given<'a> {
@@ -121,6 +127,8 @@ pub struct Choice {
 pub enum Pieces {
     /// The current shape goes on, changed.
     Changed,
+    /// Nothing is left of the current shape: it is deleted.
+    Vanished,
     /// The same, and something is told.
     Told(Effect),
     /// Successors, each for an entry of the block, that use the shape up.
@@ -176,6 +184,13 @@ pub trait Apply {
 pub trait Decode: Sized {
     /// Takes the values out of the slots, in the order of the parameters.
     fn decode(values: &mut [Option<Value>]) -> Result<Self, Problem>;
+}
+
+impl Pieces {
+    /// The shape goes on where something is left of it.
+    fn left_of(shape: &Shape) -> Pieces {
+        if shape.geometry == Geometry::Empty { Pieces::Vanished } else { Pieces::Changed }
+    }
 }
 
 impl Operation {

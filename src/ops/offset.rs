@@ -47,7 +47,7 @@ impl Apply for Offset {
             _ => return Err(Problem::new("`offset` takes flat shapes and prisms")),
         };
         fit::refit(shape, geometry);
-        Ok(Pieces::Changed)
+        Ok(Pieces::left_of(shape))
     }
 }
 
@@ -58,11 +58,11 @@ impl Offset {
             Keep::Inside => inside,
             Keep::Border if self.distance.0 < 0.0 => geometry::difference(area, &inside),
             Keep::Border => geometry::difference(&inside, area),
-            Keep::All if self.distance.0 < 0.0 => {
-                let band = geometry::difference(area, &inside);
-                inside.polygons().iter().chain(band.polygons()).cloned().collect()
+            Keep::All => {
+                let (kept, outer) = if self.distance.0 < 0.0 { (&inside, area) } else { (area, &inside) };
+                let band = geometry::difference(outer, kept);
+                kept.polygons().iter().chain(band.polygons()).cloned().collect()
             }
-            Keep::All => inside,
         }
     }
 }

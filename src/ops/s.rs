@@ -30,7 +30,13 @@ impl Apply for Resize {
         let old = shape.scope.size;
         let new = t::lengths([self.x, self.y, self.z], old)?;
         let factor = DVec3::select(old.cmpgt(DVec3::splat(1e-12)), new / old, DVec3::ONE);
-        shape.geometry = stretched(std::mem::replace(&mut shape.geometry, Geometry::Empty), factor);
+        let old = std::mem::replace(&mut shape.geometry, Geometry::Empty);
+        shape.geometry = match old {
+            Geometry::Flat(..) | Geometry::Path(_) | Geometry::Prism(..) | Geometry::Mesh(_) if new == DVec3::ZERO => {
+                Geometry::Point
+            }
+            old => stretched(old, factor),
+        };
         shape.scope.size = new;
         Ok(Pieces::Changed)
     }

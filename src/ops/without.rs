@@ -48,6 +48,6 @@ impl Apply for Without {
         let left = geometry::difference(area, &geometry::union_all(&taken).transformed(&map));
         let left = Geometry::Flat(plane.clone(), left);
         fit::refit(shape, left);
-        Ok(Pieces::Changed)
+        Ok(Pieces::left_of(shape))
     }
 }

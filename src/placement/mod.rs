@@ -21,10 +21,10 @@ pub enum PlacementError {
     #[error("{} points are more than the limit of {} in one shape", whole(*.0), crate::text::thousands(MOST_POINTS))]
     TooMany(f64),
     /// A density that is negative or no number.
-    #[error("a density must be a number of points per square metre from 0 up, not {0}")]
+    #[error("a density must be a number of points per square metre from 0 up, not {}", crate::text::number(*.0, 6))]
     Density(f64),
     /// A deviation that is negative or no number.
-    #[error("a deviation must be a number from 0 up, not {0}")]
+    #[error("a deviation must be a number from 0 up, not {}", crate::text::number(*.0, 6))]
     Deviation(f64),
 }
 

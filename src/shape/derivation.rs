@@ -62,8 +62,8 @@ pub struct Node {
 pub struct LeafOf {
     /// The node.
     pub node: NodeId,
-    /// The shape.
-    pub shape: Shape,
+    /// The shape, in the place in memory where the engine first put it.
+    pub shape: Box<Shape>,
 }
 
 /// One `print`.

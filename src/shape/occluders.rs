@@ -29,7 +29,7 @@ pub enum Relation {
 pub struct Occluder {
     /// The name it is found by; unlabelled ones are found when they are closed.
     pub label: Option<Arc<str>>,
-    /// Its node; none for features and neighbours.
+    /// The branch of the derivation it stands on; none for features and neighbours.
     pub node: Option<NodeId>,
     /// Its plan and heights.
     pub footprint: Footprint,
@@ -67,7 +67,7 @@ impl Occluders {
         let index = self.items.len() as u32;
         self.items.push((bounds, occluder));
         let (low, high) = (self.cell_of(bounds.min), self.cell_of(bounds.max));
-        if (high.0 - low.0 + 1).saturating_mul(high.1 - low.1 + 1) > MOST_CELLS {
+        if cells(low, high) > MOST_CELLS {
             self.wide.push(index);
             return;
         }
@@ -107,8 +107,7 @@ impl Occluders {
 
     fn near(&self, bounds: Bounds) -> impl Iterator<Item = &Occluder> {
         let (low, high) = (self.cell_of(bounds.min), self.cell_of(bounds.max));
-        let count = (high.0 - low.0 + 1).saturating_mul(high.1 - low.1 + 1);
-        let mut found: Vec<u32> = if count > MOST_CELLS {
+        let mut found: Vec<u32> = if cells(low, high) > MOST_CELLS {
             (0..self.items.len() as u32).collect()
         } else {
             let cells = (low.0..=high.0).flat_map(|x| (low.1..=high.1).map(move |y| (x, y)));
@@ -123,6 +122,12 @@ impl Occluders {
     fn cell_of(&self, point: DVec2) -> (i64, i64) {
         ((point.x / self.cell).floor() as i64, (point.y / self.cell).floor() as i64)
     }
+}
+
+/// How many cells lie between two, both included; margins may be absurd.
+fn cells(low: (i64, i64), high: (i64, i64)) -> i64 {
+    let along = |from: i64, to: i64| to.saturating_sub(from).saturating_add(1);
+    along(low.0, high.0).saturating_mul(along(low.1, high.1))
 }
 
 impl Occluder {
