@@ -28,7 +28,7 @@ struct Arguments {
 #[derive(Subcommand)]
 enum Command {
     /// Derive a layout by rules and write plans, plants, surfaces, schedules, reports
-    Derive(derive::Arguments),
+    Derive(Box<derive::Arguments>),
     /// Check rule files without deriving
     Check(check::Arguments),
     /// The manual: every operation, function, ground cover and element

@@ -21,7 +21,7 @@ fn every_limit_ends_its_lot_by_name() {
         let begun = Instant::now();
         let bench = Bench::two_lots(rules);
         let ran = bench.derive_two(&format!("-o a.json {flags}")).ends(1);
-        ran.says(&[&format!("limit `{name}`"), "(lot `west`)", "wrote a.json"]);
+        ran.says(&[&format!("`{name}`"), "limit", "(lot `west`)", "wrote a.json"]);
         assert!(begun.elapsed() < Duration::from_secs(30), "{name}");
     }
 }
@@ -36,11 +36,8 @@ fn a_lot_at_its_limit_leaves_the_others_whole() {
 
 #[test]
 fn the_highest_expressions_fit_the_stack_at_every_limit_of_calls() {
-    let high = format!(
-        "f(x) = {}f(x){}\nLot --> extrude(f(1)) Lawn",
-        format!("min(1, {}", "-".repeat(380)).repeat(120),
-        ")".repeat(120)
-    );
+    let (open, signs, close) = ("min(1, ".repeat(120), "-".repeat(380), ")".repeat(120));
+    let high = format!("f(x) = {open}{signs}f(x){close}\nLot --> extrude(f(1)) Lawn");
     let bench = Bench::two_lots(&high);
     for flags in ["", "--limit-calls 4000 --threads 1"] {
         bench.derive_two(&format!("-o a.json {flags}")).ends(1).says(&["`calls`"]);

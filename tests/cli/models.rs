@@ -29,9 +29,9 @@ fill = "#7f8f4f"
 "##;
 
 const RULES: &str = "Lot -->
-    [ t(2, 0, 2) I(seat, long, 1) ]
-    [ t(8, 0, 2) I(boulder, big, 1) ]
-    [ t(8, 0, 8) I(pear, adult, 1) ]
+    [ t(2, 0, 2) s(0, 0, 0) I(seat, long, 1) ]
+    [ t(8, 0, 2) s(0, 0, 0) I(boulder, big, 1) ]
+    [ t(8, 0, 8) s(0, 0, 0) I(pear, adult, 1) ]
     Moss";
 
 /// 2 m wide, 0.9 m high, 0.6 m deep.
@@ -94,7 +94,7 @@ fn models_have_the_size_of_their_bounds_and_are_drawn_and_counted() {
 fn rules_see_the_size_of_models() {
     let rules = |name: &str| {
         format!(
-            "Lot --> I({name}) Seen\nSeen --> report(\"x\", scope.sx) report(\"y\", scope.sy) report(\"z\", scope.sz)"
+            "Lot --> s(0, 0, 0) I({name}) Seen\nSeen --> report(\"x\", scope.sx) report(\"y\", scope.sy) report(\"z\", scope.sz)"
         )
     };
     for (name, size) in [("seat, long, 1", [2.0, 0.9, 0.6]), ("boulder, big, 1", [2.0, 4.0, 6.0])] {

@@ -36,7 +36,7 @@ fn what_cannot_be_written_is_said_before_the_run() {
     let cases: &[(&str, &[&str])] = &[
         ("-o a.txt", &["`.txt`", ".svg"]),
         ("-o plants:a.svg", &["`plants` is written as .geojson or .csv"]),
-        ("-o plains:a.svg", &["no output kind `plains`", "did you mean `plan`?"]),
+        ("-o plann:a.svg", &["no output kind `plann`", "did you mean `plan`?"]),
         ("-o a.svg -o folder.svg", &["`folder.svg` is a folder"]),
         ("-o a.svg -o nowhere/b.svg", &["there is no folder `nowhere`"]),
         ("-o a.svg -o ./a.svg", &["`./a.svg` would be written twice"]),
