@@ -4,13 +4,9 @@
 //! and age class, surfaces, hedges, walls, other solids, objects. Rows are sorted by what they are called.
 
 use crate::export::csv::push_row;
-use crate::geometry::{Area, Polygon};
-use crate::scene::{Material, Plant, Scene, Solid, Texture};
+use crate::scene::{Material, Plant, Scene, Solid, Strip, strip_length};
 use crate::text;
 use std::collections::BTreeMap;
-
-/// Materials whose solids are measured by their length, besides those with leaves.
-const WALLS: [&str; 5] = ["wall", "fence", "treillage", "railing", "balustrade"];
 
 /// The schedule of a scene.
 pub fn schedule_csv(scene: &Scene) -> String {
@@ -28,21 +24,6 @@ pub fn schedule_csv(scene: &Scene) -> String {
     section.add("Buildings and other solids", "material,name,pieces,length (m),mean height (m),area (m²)", others);
     section.add("Objects", "entry,name,category,type,count", objects(scene));
     out
-}
-
-/// The length of a strip of even width whose ends are square, from its area and perimeter; of one that closes on
-/// itself, half its perimeter. Metres; a square's side for a square.
-pub fn strip_length(strip: &Area) -> f64 {
-    strip.polygons().iter().map(polygon_length).sum()
-}
-
-fn polygon_length(strip: &Polygon) -> f64 {
-    // Half the perimeter of a strip l long and w wide is l + w, its area l·w: l is the greater root.
-    let half = strip.perimeter() / 2.0;
-    if strip.has_holes() {
-        return half;
-    }
-    (half + (half * half - 4.0 * strip.area()).max(0.0).sqrt()) / 2.0
 }
 
 struct Sections<'a> {
@@ -156,10 +137,11 @@ fn solids(scene: &Scene) -> [Vec<Vec<String>>; 3] {
 }
 
 fn class(material: &Material) -> usize {
-    if material.texture == Texture::Foliage {
-        return 0;
+    match Strip::of(material) {
+        Some(Strip::Hedge) => 0,
+        Some(Strip::Wall) => 1,
+        None => 2,
     }
-    if WALLS.iter().any(|wall| material.name.contains(wall)) { 1 } else { 2 }
 }
 
 impl Run {
