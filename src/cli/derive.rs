@@ -63,7 +63,8 @@ fn work(arguments: &Arguments, job: &Job, begun: Instant) -> Ended {
         return interrupted();
     }
     found.extend(stopped);
-    let scene = scene::resolve(&layout, &derivation, &catalogue, &job.title);
+    let (scene, left_out) = scene::resolve(&layout, &derivation, &catalogue, &job.title);
+    found.extend(left_out);
     prints(&derivation);
     show::diagnostics(&found, &program.sources);
     let report = report(job, &world, &scene, &derivation, &found, &program);
