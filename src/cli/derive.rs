@@ -95,6 +95,8 @@ fn work(arguments: &Arguments, job: &Job, begun: Instant) -> Ended {
     let progress = progress::interruptible();
     let world = job.folders.iter().fold(Disk::new(arguments.limits.limit_file), |disk, folder| disk.open(folder));
     let world = if arguments.allow_outside { world.open_all() } else { world };
+    // What the manifest says is known; now its hash is.
+    job.manifest.iter().for_each(|path| drop(world.named(path)));
     let (program, mut found) = bosquet::check::check(&world, &job.rules);
     let is_broken = found.iter().any(Diagnostic::is_error);
     let layout = layout(job, &world, &mut found).filter(|_| !is_broken);

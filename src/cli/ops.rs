@@ -65,8 +65,7 @@ fn print_json(value: &serde_json::Value) {
 fn overview() -> String {
     let mut text = String::from("Operations (`bosquet ops NAME` tells all of one)\n\n");
     for operation in OPERATIONS {
-        let first = operation.spec.docs.lines().next().unwrap_or_default().trim();
-        text += &format!("  {}\n      {first}\n", operation.spec.usage());
+        text += &format!("  {}\n      {}\n", operation.spec.usage(), first_sentence(operation.spec.docs));
     }
     let counts = [
         (functions::all().count(), "functions"),
@@ -79,6 +78,13 @@ fn overview() -> String {
         text += &format!("  bosquet ops {name:<10} {count}\n");
     }
     text
+}
+
+/// The first sentence of a text that is broken into lines.
+fn first_sentence(docs: &str) -> String {
+    let lines: Vec<&str> = docs.lines().map(str::trim).take_while(|l| !l.is_empty() && !l.starts_with("```")).collect();
+    let paragraph = lines.join(" ");
+    paragraph.find(". ").map_or(paragraph.clone(), |end| paragraph[..=end].to_owned())
 }
 
 fn page(spec: &Spec) -> String {

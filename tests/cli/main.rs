@@ -1,0 +1,16 @@
+//! The command as users run it: the built binary on files in a folder of its own.
+//!
+//! Every run goes through [`bench::Bench`], which fails on a panic, whatever the test asks for.
+
+mod bench;
+mod check;
+mod derive;
+mod errors;
+mod hostile;
+mod layouts;
+mod limits;
+mod manual;
+mod models;
+mod outputs;
+mod sandbox;
+mod versailles;
