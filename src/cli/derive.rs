@@ -166,6 +166,7 @@ fn report<'a>(
     ReportInput {
         version: env!("CARGO_PKG_VERSION"),
         seed: job.seed,
+        settings: job.set.iter().map(|(name, value)| (name.clone(), plain(value))).collect(),
         inputs: world.inputs(),
         without_rule: derivation.without_rule.iter().map(|id| id.to_string()).collect(),
         summary: Summary::of(scene),
@@ -174,6 +175,11 @@ fn report<'a>(
         reports: &scene.reports,
         diagnostics,
     }
+}
+
+/// A setting as it would be written on the command line.
+fn plain(value: &toml::Value) -> String {
+    value.as_str().map_or_else(|| value.to_string(), str::to_string)
 }
 
 fn catalogue(job: &Job, world: &Disk, found: &mut Vec<Diagnostic>) -> Catalogue {
@@ -214,10 +220,7 @@ fn settings(program: &Program, set: &[(String, toml::Value)]) -> Result<Vec<(usi
 }
 
 fn setting(value: &toml::Value, kind: Kind) -> Option<Value> {
-    let text = match value {
-        toml::Value::String(text) => text.clone(),
-        other => other.to_string(),
-    };
+    let text = plain(value);
     let number = text.parse::<f64>().ok().filter(|n| n.is_finite()).map(Value::Float);
     let truth = text.parse::<bool>().ok().map(Value::Bool);
     match kind {

@@ -21,7 +21,7 @@ pub fn schedule_csv(scene: &Scene) -> String {
     section.add("Surfaces", "material,name,pieces,area (m²)", covers(scene));
     section.add("Hedges", "material,name,pieces,length (m),mean height (m),area (m²)", hedges);
     section.add("Walls", "material,name,pieces,length (m),mean height (m),area (m²)", walls);
-    section.add("Buildings and other solids", "material,name,pieces,length (m),mean height (m),area (m²)", others);
+    section.add("Buildings and other solids", "material,name,pieces,mean height (m),area (m²)", others);
     section.add("Objects", "entry,name,category,type,count", objects(scene));
     out
 }
@@ -117,6 +117,9 @@ fn names(material: &Material) -> [&str; 2] {
     [&material.name, &material.label]
 }
 
+/// The column of the length in the rows of solids.
+const LENGTH: usize = 3;
+
 /// Sums over the solids of one row.
 #[derive(Default)]
 struct Run {
@@ -133,7 +136,16 @@ fn solids(scene: &Scene) -> [Vec<Vec<String>>; 3] {
         let run = runs[class(&solid.material)].entry(names(&solid.material)).or_default();
         run.add(solid);
     }
-    runs.map(|runs| runs.into_iter().map(|([name, label], run)| run.row(name, label)).collect())
+    let [hedges, walls, others] = runs.map(|runs| {
+        runs.into_iter().map(|([name, label], run)| run.row(name, label)).collect::<Vec<Vec<String>>>()
+    });
+    [hedges, walls, others.into_iter().map(without_length).collect()]
+}
+
+/// Nobody measures a building along.
+fn without_length(mut row: Vec<String>) -> Vec<String> {
+    row.remove(LENGTH);
+    row
 }
 
 fn class(material: &Material) -> usize {

@@ -332,7 +332,8 @@ fn object(shape: &Shape, placed: &Placed, entry: &Entry, origin: Origin, model: 
 /// The angle of a scope's x axis on the plan, degrees counter-clockwise from east.
 fn heading(shape: &Shape) -> f64 {
     let along = on_plan(shape.scope.frame.rotation * DVec3::X);
-    libm::atan2(along.y, along.x).to_degrees()
+    // Plus zero, since nobody wants to read −0.
+    libm::atan2(along.y, along.x).to_degrees() + 0.0
 }
 
 /// A tree of the layout: what its attributes say, the rest from the catalogue's figures for its species and height.

@@ -25,13 +25,17 @@ impl Strip {
     }
 }
 
-/// The length of a strip of even width whose ends are square, from its area and perimeter; of one that closes on
-/// itself, half its perimeter. Metres; a square's side for a square.
+/// The length of a strip of even width along its middle; of one that closes on itself, half its perimeter. Metres; a
+/// square's side for a square. Bent strips are taken to have square ends.
 pub fn strip_length(strip: &Area) -> f64 {
     strip.polygons().iter().map(polygon_length).sum()
 }
 
 fn polygon_length(strip: &Polygon) -> f64 {
+    // A straight strip, mitred or square at its ends, is as long in the middle as its area over its width.
+    if let (true, Some(around)) = (strip.is_convex() && !strip.has_holes(), strip.oriented_box()) {
+        return strip.area() / around.size.min_element();
+    }
     // Half the perimeter of a strip l long and w wide is l + w, its area l·w: l is the greater root.
     let half = strip.perimeter() / 2.0;
     if strip.has_holes() {

@@ -58,8 +58,8 @@ enum Sample {
 }
 
 /// All sections of the legend of a part of a scene, metres; empty ones are left out.
-pub fn sections(scene: &Scene, part: Option<Bounds>) -> Vec<Section> {
-    let part = Part(part.and_then(|b| Some((b, Polygon::rectangle(b.min, b.max)?.into()))));
+pub fn sections(scene: &Scene, part: Option<Polygon>) -> Vec<Section> {
+    let part = Part(part.map(Area::from));
     let section = |title, rows| Section { title, rows, more: 0 };
     let all = [
         section(PLANTS, plants(scene.plants.iter().filter(|p| part.holds(p.position)))),
@@ -70,18 +70,18 @@ pub fn sections(scene: &Scene, part: Option<Bounds>) -> Vec<Section> {
     all.into_iter().filter(|s| !s.rows.is_empty()).collect()
 }
 
-/// The part of the plan that is shown, as bounds and region; `None` shows all.
-struct Part(Option<(Bounds, Area)>);
+/// The part of the plan that is shown; `None` shows all.
+struct Part(Option<Area>);
 
 impl Part {
     fn holds(&self, point: DVec2) -> bool {
-        self.0.as_ref().is_none_or(|(bounds, _)| bounds.contains(point))
+        self.0.as_ref().is_none_or(|part| part.contains(point))
     }
 
     /// What of a region lies in the part.
     fn of(&self, area: &Area) -> Area {
         match &self.0 {
-            Some((_, part)) => intersection(area, part),
+            Some(part) => intersection(area, part),
             None => area.clone(),
         }
     }
