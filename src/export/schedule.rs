@@ -136,9 +136,8 @@ fn solids(scene: &Scene) -> [Vec<Vec<String>>; 3] {
         let run = runs[class(&solid.material)].entry(names(&solid.material)).or_default();
         run.add(solid);
     }
-    let [hedges, walls, others] = runs.map(|runs| {
-        runs.into_iter().map(|([name, label], run)| run.row(name, label)).collect::<Vec<Vec<String>>>()
-    });
+    let [hedges, walls, others] = runs
+        .map(|runs| runs.into_iter().map(|([name, label], run)| run.row(name, label)).collect::<Vec<Vec<String>>>());
     [hedges, walls, others.into_iter().map(without_length).collect()]
 }
 

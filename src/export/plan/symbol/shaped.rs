@@ -3,8 +3,8 @@
 use crate::export::plan::drawing::Shape;
 use crate::export::plan::ink::LIGHT;
 use crate::export::plan::path::{Path, direction};
-use crate::export::plan::symbol::{BLOCK, Pencil};
 use crate::export::plan::symbol::outline::LEE;
+use crate::export::plan::symbol::{BLOCK, Pencil};
 use glam::DVec2;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
