@@ -270,8 +270,8 @@ material,name,pieces,length (m),mean height (m),area (m²)
 wall,Wall,1,8,2,3.2
 
 Buildings and other solids
-material,name,pieces,length (m),mean height (m),area (m²)
-building,Building,1,12,7,108
+material,name,pieces,mean height (m),area (m²)
+building,Building,1,7,108
 
 Objects
 entry,name,category,type,count
@@ -299,6 +299,7 @@ fn the_report_is_plain_and_stable() {
     let problem = Diagnostic::data("geometry", "lot 7", "`lot 7` has no area").hint("draw it again");
     let reports = [trees];
     let input = ReportInput {
+        settings: [("recursions".to_string(), "6".to_string())].into(),
         version: "0.1.0",
         seed: 7,
         inputs: vec![("garden.cga".into(), "af13".into())],
@@ -319,6 +320,6 @@ fn the_report_is_plain_and_stable() {
     assert_eq!(report["inputs"][0]["blake3"], "af13");
     assert_eq!(report["diagnostics"][0]["severity"], "error");
     let keys: Vec<&str> = report.as_object().expect("an object").keys().map(String::as_str).collect();
-    let order = "version seed inputs summary without_rule counts_by_rule counts_by_symbol reports diagnostics";
+    let order = "version seed settings inputs summary without_rule counts_by_rule counts_by_symbol reports diagnostics";
     assert_eq!(keys.join(" "), order);
 }
