@@ -34,7 +34,7 @@
 //!     limits: derive::Limits::default(),
 //! };
 //! let (derivation, _) = derive::derive(&program, &layout, &options, &derive::Progress::default());
-//! let scene = scene::resolve(&layout, &derivation, catalogue, "A garden");
+//! let (scene, _) = scene::resolve(&layout, &derivation, catalogue, "A garden");
 //! assert_eq!(scene.plants.len(), 10); // 28 × 18 m at 0.02 a square metre
 //! let plan = export::plan::draw(&scene, &export::plan::PlanOptions::default());
 //! assert!(export::plan::svg(&plan).starts_with("<?xml"));

@@ -47,6 +47,16 @@ pub fn thousands(count: usize) -> String {
     text
 }
 
+/// An area in m² as people write it, in hectares where it is large.
+pub fn area_words(area: f64) -> String {
+    match area {
+        a if a >= 99_950.0 => format!("{} ha", number(a / 10_000.0, 1)),
+        a if a >= 10_000.0 => format!("{} ha", number(a / 10_000.0, 2)),
+        a if a >= 10.0 => format!("{} m²", thousands(a.round() as usize)),
+        a => format!("{} m²", number(a, 1)),
+    }
+}
+
 fn fold(word: &str) -> String {
     word.chars().filter(|c| *c != '_' && *c != '-').flat_map(char::to_lowercase).collect()
 }
@@ -91,5 +101,7 @@ mod tests {
         assert_eq!(number(2.5, 3), "2.5");
         assert_eq!(counted(1204, "plant"), "1,204 plants");
         assert_eq!(counted(1, "rule"), "1 rule");
+        let words = [3.24, 1204.4, 9_999.4, 23_500.0, 1_234_000.0].map(area_words);
+        assert_eq!(words, ["3.2 m²", "1,204 m²", "9,999 m²", "2.35 ha", "123.4 ha"]);
     }
 }

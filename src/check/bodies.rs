@@ -112,6 +112,8 @@ impl Checker {
         if !call.leaf && !self.is_cover(name) && !self.has_syntax_errors() {
             let message = format!("`{name}` has no rule: it is a leaf");
             let hint = format!("write `{name}.` where that is meant");
+            let cover = crate::element::Catalogue::built_in().nearest_cover(name).map(str::to_string);
+            let near = near.or(cover);
             self.tell(Diagnostic::lint("leaf", span, message).did_you_mean(near.as_deref()).hint(hint));
         }
         Some(self.successor(call, None))

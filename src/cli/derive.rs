@@ -1,8 +1,7 @@
 //! `bosquet derive`: from a layout and rules to files.
 
 use crate::cli::disk::{Disk, write_all};
-use crate::cli::job::Job;
-use crate::cli::limits::LimitArguments;
+use crate::cli::job::{Arguments, Job};
 use crate::cli::outputs::Material;
 use crate::cli::{Ended, progress, show};
 use bosquet::check::{Kind, Program};
@@ -18,63 +17,7 @@ use bosquet::text::{counted, nearest};
 use bosquet::value::Value;
 use bosquet::world::World;
 use std::collections::BTreeMap;
-use std::path::PathBuf;
 use std::time::Instant;
-
-/// Arguments of `bosquet derive`.
-#[derive(clap::Args)]
-pub struct Arguments {
-    /// A layout (GeoJSON), or a place: a folder with `bosquet.toml`
-    #[arg(value_name = "LAYOUT|PLACE")]
-    pub input: PathBuf,
-    /// The rule file
-    #[arg(long, value_name = "FILE.cga")]
-    pub rules: Option<String>,
-    /// The rule to begin with on every region
-    #[arg(long, value_name = "RULE")]
-    pub start: Option<String>,
-    /// The seed of everything that is left to chance
-    #[arg(long, value_name = "N")]
-    pub seed: Option<u64>,
-    /// Set an attribute of the rules
-    #[arg(long = "set", value_name = "NAME=VALUE")]
-    pub set: Vec<String>,
-    /// A catalogue of further elements
-    #[arg(long, value_name = "FILE.toml")]
-    pub catalogue: Vec<String>,
-    /// Write a file: plan.svg, plan.png, schedule.csv, report.json, plants:trees.geojson, surfaces:ground.geojson …
-    #[arg(short, long = "output", value_name = "[KIND:]FILE")]
-    pub output: Vec<String>,
-    /// The scale of plans
-    #[arg(long, value_name = "1:500")]
-    pub scale: Option<String>,
-    /// The size of plans as pictures: pixels, or metres per pixel
-    #[arg(long, value_name = "WxH|METRESm")]
-    pub size: Option<String>,
-    /// Turn plans on the sheet, degrees counter-clockwise
-    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
-    pub rotate: Option<f64>,
-    /// Show a part of the plan: metres east and north of the layout's centre
-    #[arg(long, value_name = "X0,Y0,X1,Y1", allow_hyphen_values = true)]
-    pub extent: Option<String>,
-    /// Write plant codes into plans
-    #[arg(long)]
-    pub codes: bool,
-    /// Plans without names of regions
-    #[arg(long)]
-    pub no_names: bool,
-    /// Plans without a legend
-    #[arg(long)]
-    pub no_legend: bool,
-    /// Worker threads; the result is the same for any number
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(..=256))]
-    threads: Option<u16>,
-    /// Imports and models may lie outside the place's folder
-    #[arg(long)]
-    allow_outside: bool,
-    #[command(flatten)]
-    limits: LimitArguments,
-}
 
 /// Runs it.
 pub fn run(arguments: &Arguments) -> Ended {
@@ -120,7 +63,8 @@ fn work(arguments: &Arguments, job: &Job, begun: Instant) -> Ended {
         return interrupted();
     }
     found.extend(stopped);
-    let scene = scene::resolve(&layout, &derivation, &catalogue, &job.title);
+    let (scene, left_out) = scene::resolve(&layout, &derivation, &catalogue, &job.title);
+    found.extend(left_out);
     prints(&derivation);
     show::diagnostics(&found, &program.sources);
     let report = report(job, &world, &scene, &derivation, &found, &program);
@@ -222,6 +166,7 @@ fn report<'a>(
     ReportInput {
         version: env!("CARGO_PKG_VERSION"),
         seed: job.seed,
+        settings: job.set.iter().map(|(name, value)| (name.clone(), plain(value))).collect(),
         inputs: world.inputs(),
         without_rule: derivation.without_rule.iter().map(|id| id.to_string()).collect(),
         summary: Summary::of(scene),
@@ -230,6 +175,11 @@ fn report<'a>(
         reports: &scene.reports,
         diagnostics,
     }
+}
+
+/// A setting as it would be written on the command line.
+fn plain(value: &toml::Value) -> String {
+    value.as_str().map_or_else(|| value.to_string(), str::to_string)
 }
 
 fn catalogue(job: &Job, world: &Disk, found: &mut Vec<Diagnostic>) -> Catalogue {
@@ -270,10 +220,7 @@ fn settings(program: &Program, set: &[(String, toml::Value)]) -> Result<Vec<(usi
 }
 
 fn setting(value: &toml::Value, kind: Kind) -> Option<Value> {
-    let text = match value {
-        toml::Value::String(text) => text.clone(),
-        other => other.to_string(),
-    };
+    let text = plain(value);
     let number = text.parse::<f64>().ok().filter(|n| n.is_finite()).map(Value::Float);
     let truth = text.parse::<bool>().ok().map(Value::Bool);
     match kind {

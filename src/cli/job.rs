@@ -1,11 +1,66 @@
 //! What a run starts from: the arguments of `bosquet derive` over the manifest of the place.
 
-use crate::cli::derive::Arguments;
+use crate::cli::limits::LimitArguments;
 use crate::cli::outputs::{self, Output};
 use crate::cli::place::{self, Manifest, Plan};
 use bosquet::export::plan::{PlanOptions, PlanSize};
 use bosquet::geometry::Bounds;
 use std::path::{Path, PathBuf};
+
+/// Arguments of `bosquet derive`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// A layout (GeoJSON), or a place: a folder with `bosquet.toml`
+    #[arg(value_name = "LAYOUT|PLACE")]
+    pub input: PathBuf,
+    /// The rule file
+    #[arg(long, value_name = "FILE.cga")]
+    pub rules: Option<String>,
+    /// The rule to begin with on every region
+    #[arg(long, value_name = "RULE")]
+    pub start: Option<String>,
+    /// The seed of everything that is left to chance
+    #[arg(long, value_name = "N")]
+    pub seed: Option<u64>,
+    /// Set an attribute of the rules
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// A catalogue of further elements
+    #[arg(long, value_name = "FILE.toml")]
+    pub catalogue: Vec<String>,
+    /// Write a file: plan.svg, plan.png, schedule.csv, report.json, plants:trees.geojson, surfaces:ground.geojson …
+    #[arg(short, long = "output", value_name = "[KIND:]FILE")]
+    pub output: Vec<String>,
+    /// The scale of plans
+    #[arg(long, value_name = "1:500")]
+    pub scale: Option<String>,
+    /// The size of plans as pictures: pixels, or metres per pixel
+    #[arg(long, value_name = "WxH|METRESm")]
+    pub size: Option<String>,
+    /// Turn plans on the sheet, degrees counter-clockwise
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
+    pub rotate: Option<f64>,
+    /// Show a part of the plan: metres east and north of the layout's centre
+    #[arg(long, value_name = "X0,Y0,X1,Y1", allow_hyphen_values = true)]
+    pub extent: Option<String>,
+    /// Write plant codes into plans
+    #[arg(long)]
+    pub codes: bool,
+    /// Plans without names of regions
+    #[arg(long)]
+    pub no_names: bool,
+    /// Plans without a legend
+    #[arg(long)]
+    pub no_legend: bool,
+    /// Worker threads; the result is the same for any number
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(..=256))]
+    pub threads: Option<u16>,
+    /// Imports and models may lie outside the place's folder
+    #[arg(long)]
+    pub allow_outside: bool,
+    #[command(flatten)]
+    pub limits: LimitArguments,
+}
 
 /// Everything a run is asked for.
 pub struct Job {

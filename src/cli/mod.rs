@@ -28,7 +28,7 @@ struct Arguments {
 #[derive(Subcommand)]
 enum Command {
     /// Derive a layout by rules and write plans, plants, surfaces, schedules, reports
-    Derive(Box<derive::Arguments>),
+    Derive(Box<job::Arguments>),
     /// Check rule files without deriving
     Check(check::Arguments),
     /// The manual: every operation, function, ground cover and element

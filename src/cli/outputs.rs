@@ -28,7 +28,7 @@ struct Kind {
 
 type Writer = fn(&Material) -> Result<Vec<u8>, String>;
 
-/// Every kind; bare file names are looked up from the top.
+/// Every kind. A bare ending means the first kind that has it, unless [`BARE`] says otherwise.
 static KINDS: &[Kind] = &[
     Kind { name: "plan", endings: &[("svg", plan_svg), ("png", plan_png)] },
     Kind { name: "surfaces", endings: &[("geojson", |m| Ok(surfaces_geojson(m.scene).into()))] },
@@ -119,7 +119,7 @@ fn everything_geojson(material: &Material) -> Result<Vec<u8>, String> {
     serde_json::to_vec(&all).map_err(|error| error.to_string())
 }
 
-/// `800x600`, `3000` (pixels across, as wide as 3:2), or `0.5m` (metres per pixel).
+/// `800x600` pixels, or `0.5m` for metres per pixel.
 pub fn size(text: &str) -> Result<PlanSize, String> {
     let wrong = || format!("`{text}` is not a size: write it as in `1600x1200`, or `0.5m` for metres per pixel");
     if let Some(metres) = text.strip_suffix('m') {

@@ -15,6 +15,8 @@ pub struct ReportInput<'a> {
     pub version: &'a str,
     /// The seed of the run.
     pub seed: u64,
+    /// The attributes that were set for all regions, by name: by the manifest and on the command line.
+    pub settings: BTreeMap<String, String>,
     /// The files that went in, with the BLAKE3 hash of each in hexadecimal.
     #[serde(serialize_with = "inputs")]
     pub inputs: Vec<(String, String)>,

@@ -4,13 +4,9 @@
 //! and age class, surfaces, hedges, walls, other solids, objects. Rows are sorted by what they are called.
 
 use crate::export::csv::push_row;
-use crate::geometry::{Area, Polygon};
-use crate::scene::{Material, Plant, Scene, Solid, Texture};
+use crate::scene::{Material, Plant, Scene, Solid, Strip, strip_length};
 use crate::text;
 use std::collections::BTreeMap;
-
-/// Materials whose solids are measured by their length, besides those with leaves.
-const WALLS: [&str; 5] = ["wall", "fence", "treillage", "railing", "balustrade"];
 
 /// The schedule of a scene.
 pub fn schedule_csv(scene: &Scene) -> String {
@@ -25,24 +21,9 @@ pub fn schedule_csv(scene: &Scene) -> String {
     section.add("Surfaces", "material,name,pieces,area (m²)", covers(scene));
     section.add("Hedges", "material,name,pieces,length (m),mean height (m),area (m²)", hedges);
     section.add("Walls", "material,name,pieces,length (m),mean height (m),area (m²)", walls);
-    section.add("Buildings and other solids", "material,name,pieces,length (m),mean height (m),area (m²)", others);
+    section.add("Buildings and other solids", "material,name,pieces,mean height (m),area (m²)", others);
     section.add("Objects", "entry,name,category,type,count", objects(scene));
     out
-}
-
-/// The length of a strip of even width whose ends are square, from its area and perimeter; of one that closes on
-/// itself, half its perimeter. Metres; a square's side for a square.
-pub fn strip_length(strip: &Area) -> f64 {
-    strip.polygons().iter().map(polygon_length).sum()
-}
-
-fn polygon_length(strip: &Polygon) -> f64 {
-    // Half the perimeter of a strip l long and w wide is l + w, its area l·w: l is the greater root.
-    let half = strip.perimeter() / 2.0;
-    if strip.has_holes() {
-        return half;
-    }
-    (half + (half * half - 4.0 * strip.area()).max(0.0).sqrt()) / 2.0
 }
 
 struct Sections<'a> {
@@ -136,6 +117,9 @@ fn names(material: &Material) -> [&str; 2] {
     [&material.name, &material.label]
 }
 
+/// The column of the length in the rows of solids.
+const LENGTH: usize = 3;
+
 /// Sums over the solids of one row.
 #[derive(Default)]
 struct Run {
@@ -152,14 +136,23 @@ fn solids(scene: &Scene) -> [Vec<Vec<String>>; 3] {
         let run = runs[class(&solid.material)].entry(names(&solid.material)).or_default();
         run.add(solid);
     }
-    runs.map(|runs| runs.into_iter().map(|([name, label], run)| run.row(name, label)).collect())
+    let [hedges, walls, others] = runs
+        .map(|runs| runs.into_iter().map(|([name, label], run)| run.row(name, label)).collect::<Vec<Vec<String>>>());
+    [hedges, walls, others.into_iter().map(without_length).collect()]
+}
+
+/// Nobody measures a building along.
+fn without_length(mut row: Vec<String>) -> Vec<String> {
+    row.remove(LENGTH);
+    row
 }
 
 fn class(material: &Material) -> usize {
-    if material.texture == Texture::Foliage {
-        return 0;
+    match Strip::of(material) {
+        Some(Strip::Hedge) => 0,
+        Some(Strip::Wall) => 1,
+        None => 2,
     }
-    if WALLS.iter().any(|wall| material.name.contains(wall)) { 1 } else { 2 }
 }
 
 impl Run {

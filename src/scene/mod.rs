@@ -5,9 +5,11 @@
 //! covers (flat ground surfaces), solids (things with height), lines, plants, objects.
 
 mod resolve;
+mod strip;
 
 pub use crate::element::{Material, PlantSymbol, Texture};
 pub use resolve::resolve;
+pub use strip::{Strip, strip_length};
 
 use crate::geometry::{Area, Mesh};
 use crate::layout::Georeference;

@@ -1,8 +1,10 @@
 //! Derivation + layout → scene: every leaf becomes a cover, a solid, a line, a plant or an object.
 //!
-//! In: what rules made and what the layout holds. Out: the scene, with materials looked up and places in the plan.
+//! In: what rules made and what the layout holds. Out: the scene, with materials looked up and places in the plan, and
+//! what had to be left out of it.
 //! A leaf's material is its `material.name`, else a ground cover that its symbol names, else its bare colour.
 
+use crate::diag::{Diagnostic, Place, Severity};
 use crate::element::{Catalogue, Entry, Material, PlantFigures, Texture};
 use crate::geometry::{self, Area};
 use crate::layout::{Feature, Kind, Layout, Shapes};
@@ -18,9 +20,20 @@ const USUAL_BUILDING: f64 = 8.0;
 /// How thick an upright face is drawn, metres.
 const THIN: f64 = 0.08;
 
-/// Resolves a derivation on its layout. Cost: linear in leaves; meshes cost a union of their faces.
-pub fn resolve(layout: &Layout, derivation: &Derivation, catalogue: &Catalogue, title: &str) -> Scene {
-    let mut resolver = Resolver { catalogue, materials: BTreeMap::new(), scene: Scene::default() };
+/// What lies or reaches farther than this (metres) is a slip of the rules, and beyond what formats can carry.
+const FARTHEST: f64 = 1e7;
+
+/// Resolves a derivation on its layout; what is left out is told once for each rule and lot.
+///
+/// Cost: linear in leaves; meshes cost a union of their faces.
+pub fn resolve(
+    layout: &Layout,
+    derivation: &Derivation,
+    catalogue: &Catalogue,
+    title: &str,
+) -> (Scene, Vec<Diagnostic>) {
+    let mut resolver =
+        Resolver { catalogue, materials: BTreeMap::new(), scene: Scene::default(), lost: BTreeMap::new() };
     resolver.scene.title = title.into();
     resolver.scene.georeference = layout.georeference.clone();
     resolver.scene.lots = layout.regions.iter().map(outline).collect();
@@ -31,7 +44,15 @@ pub fn resolve(layout: &Layout, derivation: &Derivation, catalogue: &Catalogue, 
     // The layout's plants stand first, whatever else of it was drawn when.
     resolver.scene.plants.sort_by_key(|plant| !plant.existing);
     resolver.scene.reports = reports(derivation);
-    resolver.scene
+    let lost = resolver.lost.iter().map(|((lot, rule), count)| left_out(lot, rule, *count)).collect();
+    (resolver.scene, lost)
+}
+
+fn left_out(lot: &Arc<str>, rule: &str, count: usize) -> Diagnostic {
+    let shapes = crate::text::counted(count, "shape");
+    let message = format!("{shapes} of `{rule}` left out: farther than 10,000 km from the centre, or larger");
+    let diagnostic = Diagnostic::new(Severity::Error, "geometry", Place::Run, message);
+    Diagnostic { lot: Some(lot.clone()), ..diagnostic }
 }
 
 fn outline(region: &crate::layout::Region) -> LotOutline {
@@ -59,6 +80,8 @@ struct Resolver<'a> {
     catalogue: &'a Catalogue,
     materials: BTreeMap<MaterialKey, Arc<Material>>,
     scene: Scene,
+    /// Leaves that are too far away or too large, by lot and rule.
+    lost: BTreeMap<(Arc<str>, Arc<str>), usize>,
 }
 
 impl Resolver<'_> {
@@ -66,6 +89,10 @@ impl Resolver<'_> {
         for leaf in &lot.outcome.leaves {
             let symbol = lot.outcome.nodes[leaf.node.0 as usize].symbol;
             let rule = derivation.symbols[symbol as usize].clone();
+            if !is_placeable(&leaf.shape) {
+                *self.lost.entry((lot.id.clone(), rule)).or_default() += 1;
+                continue;
+            }
             let id = format!("{:016x}", leaf.shape.seed.0).into();
             self.leaf(leaf, Origin { lot: lot.id.clone(), rule, id });
         }
@@ -220,6 +247,11 @@ impl Resolver<'_> {
     }
 }
 
+fn is_placeable(shape: &Shape) -> bool {
+    let (at, size) = (shape.scope.frame.origin, shape.scope.size);
+    [at, size].iter().all(|v| v.is_finite() && v.abs().max_element() <= FARTHEST)
+}
+
 fn is_upright(shape: &Shape) -> bool {
     match &shape.geometry {
         Geometry::Prism(plane, ..) => (shape.scope.frame.rotation * plane.normal()).y.abs() > 1.0 - 1e-9,
@@ -300,12 +332,14 @@ fn object(shape: &Shape, placed: &Placed, entry: &Entry, origin: Origin, model: 
 /// The angle of a scope's x axis on the plan, degrees counter-clockwise from east.
 fn heading(shape: &Shape) -> f64 {
     let along = on_plan(shape.scope.frame.rotation * DVec3::X);
-    libm::atan2(along.y, along.x).to_degrees()
+    // Plus zero, since nobody wants to read −0.
+    libm::atan2(along.y, along.x).to_degrees() + 0.0
 }
 
 /// A tree of the layout: what its attributes say, the rest from the catalogue's figures for its species and height.
 fn standing(catalogue: &Catalogue, feature: &Feature, at: DVec2, origin: Origin) -> Plant {
-    let number = |name: &str| feature.attributes.get(name).and_then(Value::as_float).filter(|n| *n > 0.0);
+    let number =
+        |name: &str| feature.attributes.get(name).and_then(Value::as_float).filter(|n| *n > 0.0 && *n <= FARTHEST);
     let species = ["species", "genus", "taxon"].iter().find_map(|n| feature.attributes.get(*n)?.as_str());
     let found = species.and_then(|name| catalogue.find(name, "").ok());
     let entry = found.map(|f| f.entry);

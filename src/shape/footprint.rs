@@ -52,7 +52,7 @@ impl Shape {
             Geometry::Element(placed) if placed.round => self.crown(),
             Geometry::Element(_) => Extent::Area(box_on_plan(&self.scope)),
             Geometry::Prism(..) | Geometry::Mesh(_) => match self.world_mesh() {
-                Some(mesh) => Extent::Area(mesh.footprint()),
+                Some(mesh) => shadow(&mesh),
                 None => Extent::Nothing,
             },
         };
@@ -122,6 +122,15 @@ fn heights(scope: &Scope) -> (f64, f64) {
     let low = reach.min(DVec3::ZERO).element_sum();
     let high = reach.max(DVec3::ZERO).element_sum();
     (scope.frame.origin.y + low, scope.frame.origin.y + high)
+}
+
+/// The shadow of faces: an area, or the line that upright faces leave.
+fn shadow(mesh: &Mesh) -> Extent {
+    let area = mesh.footprint();
+    match area.is_empty() {
+        true => Extent::Line(ends(mesh.positions.iter().map(|p| on_plan(*p)))),
+        false => Extent::Area(area),
+    }
 }
 
 /// The convex outline of a scope's box on the plan.

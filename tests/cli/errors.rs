@@ -136,3 +136,18 @@ fn a_manifest_is_read_strictly() {
         assert_eq!(bench.names(), ["garden"]);
     }
 }
+
+#[test]
+fn what_flies_off_is_left_out_and_told() {
+    let bench = Bench::two_lots(
+        "Lot --> [ t(1e308, 0, 0) t(1e308, 0, 0) Lawn ] [ s(1e200, 0, 1e200) Lawn ] [ extrude(1e308) Wall. ] \
+         [ t(0, 1e308, 0) t(0, 1e308, 0) s(0, 0, 0) I(birch) ] Gravel",
+    );
+    bench.derive_two("-o a.svg -o a.geojson -o a.json -o a.csv").ends(1).says(&["2 shapes of `Lawn`", "10,000 km"]);
+    for file in ["a.svg", "a.geojson", "a.csv"] {
+        let text = bench.text(file);
+        assert!(!text.contains("NaN") && !text.contains("inf ") && !text.contains("null"), "{file}: {text}");
+    }
+    let summary = bench.json("a.json")["summary"].clone();
+    assert_eq!((&summary["area_by_material"]["gravel"], &summary["plants"]), (&json!(800), &json!(1)));
+}

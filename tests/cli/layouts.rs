@@ -113,3 +113,17 @@ fn coordinates_come_back_in_the_layouts_own_system() {
         assert!(!plants.is_empty() && plants.iter().all(|p| xs.contains(&at(p, 0)) && ys.contains(&at(p, 1))));
     }
 }
+
+#[test]
+fn numbers_beyond_reason_are_left_out_and_told() {
+    let text = crate::bench::TWO_LOTS
+        .replace("[20, 0], [40, 0], [40, 20]", "[20, 0], [1e300, 0], [40, 20]")
+        .replace("\"width\": 6", "\"width\": 1e300")
+        .replace("\"height\": 14", "\"height\": 1e300")
+        .replace("2.5]", "1e308]");
+    let bench = Bench::two_lots("Lot --> Lawn").with("two.geojson", text);
+    let ran = bench.derive_two("-o a.svg -o a.json -o plants:p.geojson").ends(1);
+    ran.says(&["feature `east`", "`oak.height`", "`street.width`"]);
+    assert_eq!(bench.json("a.json")["summary"]["lot_area"], 800);
+    assert_eq!(bench.json("p.geojson")["features"][0]["geometry"]["coordinates"][2], 0);
+}

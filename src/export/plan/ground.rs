@@ -2,12 +2,12 @@
 
 use crate::export::plan::drawing::{Group, Item, Layer, Shape};
 use crate::export::plan::ink::{Ink, UMBER};
-use crate::export::plan::legend::area_words;
 use crate::export::plan::path::Path;
 use crate::export::plan::sheet::Sheet;
 use crate::export::plan::texture::{self, Ground};
 use crate::geometry::{Area, inset};
 use crate::scene::{Cover, Line, LotOutline, Material, Texture};
+use crate::text::area_words;
 
 /// All covers of a scene.
 pub fn covers(covers: &[Cover], sheet: &Sheet) -> Layer {

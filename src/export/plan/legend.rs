@@ -14,8 +14,8 @@ use crate::export::plan::solids;
 use crate::export::plan::symbol::Cabinet;
 use crate::export::plan::texture::Ground;
 use crate::geometry::{Area, Bounds, Polygon, intersection};
-use crate::scene::{Material, Object, Plant, PlantSymbol, Scene, Texture};
-use crate::text::{number, thousands};
+use crate::scene::{Material, Object, Plant, PlantSymbol, Scene, Strip, strip_length};
+use crate::text::{area_words, thousands};
 use glam::DVec2;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -58,8 +58,8 @@ enum Sample {
 }
 
 /// All sections of the legend of a part of a scene, metres; empty ones are left out.
-pub fn sections(scene: &Scene, part: Option<Bounds>) -> Vec<Section> {
-    let part = Part(part.and_then(|b| Some((b, Polygon::rectangle(b.min, b.max)?.into()))));
+pub fn sections(scene: &Scene, part: Option<Polygon>) -> Vec<Section> {
+    let part = Part(part.map(Area::from));
     let section = |title, rows| Section { title, rows, more: 0 };
     let all = [
         section(PLANTS, plants(scene.plants.iter().filter(|p| part.holds(p.position)))),
@@ -70,18 +70,18 @@ pub fn sections(scene: &Scene, part: Option<Bounds>) -> Vec<Section> {
     all.into_iter().filter(|s| !s.rows.is_empty()).collect()
 }
 
-/// The part of the plan that is shown, as bounds and region; `None` shows all.
-struct Part(Option<(Bounds, Area)>);
+/// The part of the plan that is shown; `None` shows all.
+struct Part(Option<Area>);
 
 impl Part {
     fn holds(&self, point: DVec2) -> bool {
-        self.0.as_ref().is_none_or(|(bounds, _)| bounds.contains(point))
+        self.0.as_ref().is_none_or(|part| part.contains(point))
     }
 
     /// What of a region lies in the part.
     fn of(&self, area: &Area) -> Area {
         match &self.0 {
-            Some((_, part)) => intersection(area, part),
+            Some(part) => intersection(area, part),
             None => area.clone(),
         }
     }
@@ -109,16 +109,6 @@ pub fn draw(mut sections: Vec<Section>, columns: &[Bounds], cabinet: &mut Cabine
         }
     }
     items
-}
-
-/// An area as people write it.
-pub fn area_words(area: f64) -> String {
-    match area {
-        a if a >= 99_950.0 => format!("{} ha", number(a / 10_000.0, 1)),
-        a if a >= 10_000.0 => format!("{} ha", number(a / 10_000.0, 2)),
-        a if a >= 10.0 => format!("{} m²", thousands(a.round() as usize)),
-        a => format!("{} m²", number(a, 1)),
-    }
 }
 
 enum Line<'a> {
@@ -270,7 +260,7 @@ fn covers(scene: &Scene, part: &Part) -> Vec<Row> {
 fn solid_rows(scene: &Scene, part: &Part) -> Vec<Row> {
     let mut found: BTreeMap<&str, (f64, &Arc<Material>, bool)> = BTreeMap::new();
     for solid in &scene.solids {
-        let (long, footprint) = (is_strip(&solid.material), part.of(&solid.footprint));
+        let (long, footprint) = (Strip::of(&solid.material).is_some(), part.of(&solid.footprint));
         if footprint.is_empty() {
             continue;
         }
@@ -308,24 +298,6 @@ fn objects<'a>(objects: impl Iterator<Item = &'a Object>) -> Vec<Row> {
     found.into_iter().map(row).collect()
 }
 
-/// Hedges and walls are bought by the metre.
-fn is_strip(material: &Material) -> bool {
-    let long = ["hedge", "palissade", "wall", "fence", "treillage"];
-    long.iter().any(|word| material.name.contains(word)) && material.texture != Texture::Hatch
-}
-
-/// Length of a strip from its area and perimeter: p / 2 = length + width, area = length · width.
-pub fn strip_length(area: &Area) -> f64 {
-    let length = |polygon: &Polygon| {
-        let half = polygon.perimeter() / 2.0;
-        match polygon.has_holes() {
-            true => half,
-            false => (half + (half * half - 4.0 * polygon.area()).max(0.0).sqrt()) / 2.0,
-        }
-    };
-    area.polygons().iter().map(length).sum()
-}
-
 /// Columns of the legend's width that fit side by side into a panel.
 pub fn columns(panel: Bounds) -> Vec<Bounds> {
     let count = ((panel.size().x + GUTTER) / (COLUMN + GUTTER)).floor() as usize;
@@ -339,22 +311,6 @@ pub fn columns(panel: Bounds) -> Vec<Bounds> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn strip(width: f64) -> Area {
-        Polygon::rectangle(DVec2::ZERO, DVec2::new(30.0, width)).map(Area::from).unwrap_or_default()
-    }
-
-    #[test]
-    fn hedges_are_measured_along() {
-        assert!((strip_length(&strip(0.8)) - 30.0).abs() < 1e-9);
-        assert!((strip_length(&strip(30.0)) - 30.0).abs() < 1e-6, "a square is as long as wide");
-    }
-
-    #[test]
-    fn areas_read_well() {
-        let words = [3.24, 1204.4, 9_999.4, 23_500.0, 1_234_000.0].map(area_words);
-        assert_eq!(words, ["3.2 m²", "1,204 m²", "9,999 m²", "2.35 ha", "123.4 ha"]);
-    }
 
     #[test]
     fn what_has_no_room_is_counted() {

@@ -97,7 +97,8 @@ pub fn draw(scene: &Scene, options: &PlanOptions) -> Drawing {
         Some(bounds) => Extent::around(corners(bounds), options.rotation),
         None => Extent::around(everything(scene), options.rotation),
     };
-    let legend = if options.legend { legend::sections(scene, options.extent) } else { Vec::new() };
+    let part = options.extent.and_then(|_| extent.outline(options.rotation));
+    let legend = if options.legend { legend::sections(scene, part) } else { Vec::new() };
     let sheet = Sheet::new(&extent, legend::height(&legend), options);
     let mut cabinet = Cabinet::new();
     let mut layers = vec![furniture::paper(&sheet)];

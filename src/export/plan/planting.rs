@@ -42,7 +42,9 @@ impl<'a> Planting<'a> {
         let cast = |(plant, at, radius): &(&Plant, DVec2, f64)| {
             let reach = sheet.frame.length(0.2 * plant.height).min(0.75 * radius).max(0.0);
             let at = *at + DVec2::splat(reach * std::f64::consts::FRAC_1_SQRT_2);
-            Use { symbol: cabinet.shadow(), at, scale: *radius, turn: 0.0, title: None }.into()
+            let symbol = cabinet.shadow(plant.symbol);
+            let turn = if symbol == 0 { 0.0 } else { sheet.frame.turn(plant.heading) };
+            Use { symbol, at, scale: *radius, turn, title: None }.into()
         };
         self.drawn.iter().filter(|(_, _, radius)| *radius >= LEAST_SHADOW).map(cast).collect()
     }

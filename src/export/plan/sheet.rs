@@ -133,6 +133,13 @@ impl Extent {
         let back = DVec2::new(turn.x, -turn.y);
         Extent { centre: back.rotate(middle), size: bounds.size().max(DVec2::ONE) }
     }
+
+    /// Its outline on the plan, which is turned by `rotation` degrees.
+    pub fn outline(&self, rotation: f64) -> Option<Polygon> {
+        let turn = direction(-rotation.to_radians());
+        let corner = |x: f64, y: f64| self.centre + turn.rotate(self.size * 0.5 * DVec2::new(x, y));
+        Polygon::new(&[corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)], &[])
+    }
 }
 
 impl Sheet {

@@ -13,6 +13,9 @@ use std::sync::Arc;
 /// Farther from the plan's origin than this (metres), lengths of a plan are off by more than 1 in 10,000.
 const FAR: f64 = 90_000.0;
 
+/// Farther than this (metres) there is no place: more than twice around the earth.
+const FARTHEST: f64 = 1e8;
+
 /// The layout under construction.
 pub struct Builder {
     layout: Layout,
@@ -131,7 +134,7 @@ impl Builder {
             return Err(Flaw::OffTheGlobe);
         }
         let plan = georeference.to_plan(*world);
-        if plan.is_finite() { Ok(plan) } else { Err(Flaw::Unplaceable) }
+        if plan.is_finite() && plan.abs().max_element() < FARTHEST { Ok(plan) } else { Err(Flaw::Unplaceable) }
     }
 
     /// The regions an item makes, of its areas and of its lines with a width; whether there are any.
@@ -260,7 +263,7 @@ fn guess(placed: &Placed, properties: &Properties) -> Kind {
 
 /// The mean of the heights of an item's positions; 0 where there are none.
 fn mean_height(parts: &Parts) -> f64 {
-    let heights = parts.positions().filter_map(|(_, height)| *height).filter(|h| h.is_finite());
+    let heights = parts.positions().filter_map(|(_, height)| *height).filter(|h| h.abs() < FARTHEST);
     let (count, sum) = heights.fold((0usize, 0.0), |(count, sum), h| (count + 1, sum + h));
     if count == 0 { 0.0 } else { sum / count as f64 }
 }

@@ -7,6 +7,9 @@ use serde_json::{Map, Value as Json};
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
+/// No height, width or elevation is larger.
+const MOST_METRES: f64 = 1e6;
+
 /// A feature's properties, understood.
 pub struct Properties {
     /// From `kind`; from `type` or `class` where they hold a word that is a kind; from `marker`.
@@ -55,7 +58,7 @@ impl Properties {
         let mut misused = Vec::new();
         let mut length = |name: &'static str| match map.get(name) {
             None | Some(Json::Null) => None,
-            Some(json) => metres(json).or_else(|| {
+            Some(json) => metres(json).filter(|length| length.abs() <= MOST_METRES).or_else(|| {
                 misused.push(name);
                 None
             }),

@@ -56,6 +56,9 @@ struct Key {
     turn: i32,
 }
 
+/// Half the side of a block whose crown has the radius 1.
+const BLOCK: f64 = 0.92;
+
 /// All symbols drawn so far.
 pub struct Cabinet {
     symbols: Vec<Symbol>,
@@ -69,16 +72,18 @@ impl Default for Cabinet {
 }
 
 impl Cabinet {
-    /// A cabinet with nothing but the shadow disc.
+    /// A cabinet with nothing but the shadows.
     pub fn new() -> Cabinet {
         let disc = Shape::filled(Path::circle(DVec2::ZERO, 1.0), SHADOW);
         let shadow = Symbol { id: "shadow".into(), shapes: vec![disc] };
-        Cabinet { symbols: vec![shadow], known: BTreeMap::new() }
+        let block = Path::rectangle(DVec2::splat(-BLOCK), DVec2::splat(2.0 * BLOCK));
+        let block = Symbol { id: "shadow-block".into(), shapes: vec![Shape::filled(block, SHADOW)] };
+        Cabinet { symbols: vec![shadow, block], known: BTreeMap::new() }
     }
 
-    /// The disc of radius 1 that casts shadows.
-    pub fn shadow(&self) -> usize {
-        0
+    /// What casts the shadow of a crown of radius 1: a disc, or the block of what is clipped to a box.
+    pub fn shadow(&self, symbol: PlantSymbol) -> usize {
+        usize::from(symbol == PlantSymbol::Box)
     }
 
     /// The symbol for a crown of `radius` mm, turned by so many degrees clockwise on paper, and the enlargement that

@@ -3,8 +3,8 @@
 use crate::export::plan::drawing::Shape;
 use crate::export::plan::ink::LIGHT;
 use crate::export::plan::path::{Path, direction};
-use crate::export::plan::symbol::Pencil;
 use crate::export::plan::symbol::outline::LEE;
+use crate::export::plan::symbol::{BLOCK, Pencil};
 use glam::DVec2;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
@@ -34,10 +34,10 @@ impl Pencil {
         let corner = |i: u8, reach: f64| {
             direction(self.turn + FRAC_PI_4 + FRAC_PI_2 * f64::from(i)) * self.radius * reach * std::f64::consts::SQRT_2
         };
-        let ring = |reach: f64| Path::ring(&std::array::from_fn::<_, 4, _>(|i| corner(i as u8, reach * 0.92)));
+        let ring = |reach: f64| Path::ring(&std::array::from_fn::<_, 4, _>(|i| corner(i as u8, reach * BLOCK)));
         let mut shapes = vec![Shape::filled(ring(1.0), self.wash())];
         for side in 0..4u8 {
-            let quad = [corner(side, 0.92), corner(side + 1, 0.92), corner(side + 1, 0.55), corner(side, 0.55)];
+            let quad = [corner(side, BLOCK), corner(side + 1, BLOCK), corner(side + 1, 0.55), corner(side, 0.55)];
             shapes.push(self.facet(&quad));
         }
         shapes.push(Shape::drawn(ring(0.6), self.line().faded(0.45), self.width() * 0.7));
