@@ -1,4 +1,4 @@
-//! The built-in functions and shape attributes of the language; [`all`] lists them, [`find`] knows them by name.
+//! The built-in functions and shape attributes of the language, and [`FUNCTIONS`], the list.
 //!
 //! A function takes values and what surrounds the current shape, and gives a value. `rand` draws from the shape's own
 //! stream, so a function's result depends on the shape alone.
