@@ -85,7 +85,7 @@ impl Checker {
                 _ => self.value(&arg.value).0,
             })
             .collect();
-        (Code::Builtin(function, codes, span), result(function.name))
+        (Code::Builtin(function, codes, span), result(function))
     }
 
     fn unknown(&mut self, name: &Arc<str>, call: bool, span: Span) -> (Code, Kind) {
@@ -290,7 +290,7 @@ fn is_word(value: &Expr, words: &[&str]) -> bool {
 /// Whether a bare word is one of the language's own names, to be read rather than to stand for itself: where a word is
 /// wanted (`report(inside, 1)`), only those that give a text.
 fn is_read(name: &str, kind: ParamKind) -> bool {
-    functions::find(name).is_some_and(|f| kind != ParamKind::Word || result(f.name) == Kind::Text)
+    functions::find(name).is_some_and(|f| kind != ParamKind::Word || result(f) == Kind::Text)
 }
 
 /// `it is called as …`, from the declaration.
@@ -306,13 +306,11 @@ fn arity(least: usize, most: usize) -> String {
     }
 }
 
-/// What a built-in function gives, where its name says it.
-fn result(name: &str) -> Kind {
-    match name {
-        "inside" | "overlaps" | "touches" | "p" | "bool" | "isnan" | "isinf" => Kind::Truth,
-        "geometry.isConcave" | "geometry.isRectangular" => Kind::Truth,
-        "str" | "substring" | "replace" | "initialShape.name" | "initialShape.startRule" => Kind::Text,
-        "initialShape.kind" | "initialShape.zone" | "material.name" | "material.color.rgb" | "label.name" => Kind::Text,
-        _ => Kind::Number,
+/// What a built-in function gives, as expressions are checked.
+fn result(function: &functions::Function) -> Kind {
+    match function.gives {
+        functions::Gives::Number => Kind::Number,
+        functions::Gives::Truth => Kind::Truth,
+        functions::Gives::Text => Kind::Text,
     }
 }

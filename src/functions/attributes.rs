@@ -51,13 +51,15 @@ pub(super) static LIST: &[Function] = &[
     })
     .added(),
     attribute!("seedian", "The shape's seed as a number.", |a| Value::Float((a.shape.seed.0 >> 11) as f64)).settable(),
-    attribute!("initialShape.name", "The name of the region.", |a| Value::Text(a.initial.name.clone())),
-    attribute!("initialShape.startRule", "The rule the region began with.", |a| Value::Text(a.initial.start.clone())),
-    attribute!("initialShape.kind", "The kind of the region.", |a| Value::Text(a.initial.kind.clone())).added(),
-    attribute!("initialShape.zone", "The zone of the region.", |a| Value::Text(a.initial.zone.clone())).added(),
+    attribute!("initialShape.name", "The name of the region.", |a| Value::Text(a.initial.name.clone())).text(),
+    attribute!("initialShape.startRule", "The rule the region began with.", |a| Value::Text(a.initial.start.clone()))
+        .text(),
+    attribute!("initialShape.kind", "The kind of the region.", |a| Value::Text(a.initial.kind.clone())).text().added(),
+    attribute!("initialShape.zone", "The zone of the region.", |a| Value::Text(a.initial.zone.clone())).text().added(),
     attribute!("material.name", "The material: a ground cover of the catalogue, or a word of your own.", |a| {
         Value::Text(a.shape.style.material.clone().unwrap_or_default())
     })
+    .text()
     .settable(),
     attribute!("material.color.r", "Red, 0 to 1.", |a| channel(a, 0)).settable(),
     attribute!("material.color.g", "Green, 0 to 1.", |a| channel(a, 1)).settable(),
@@ -67,10 +69,12 @@ pub(super) static LIST: &[Function] = &[
         let [r, g, b, _] = a.shape.style.color.unwrap_or([1.0; 4]).map(|c| (c * 255.0).round() as u8);
         Value::text(format!("#{r:02x}{g:02x}{b:02x}"))
     })
+    .text()
     .settable(),
     attribute!("label.name", "The last label, empty where there is none.", |a| {
         Value::Text(a.shape.style.label.clone().unwrap_or_default())
     })
+    .text()
     .added(),
 ];
 

@@ -28,7 +28,7 @@ pub(super) static LIST: &[Function] = &[
     measure!("geometry.nEdges", "The number of edges.", |m| Value::Float(m.edges as f64)),
     measure!("geometry.nFaces", "The number of faces.", |m| Value::Float(m.faces as f64)),
     measure!("geometry.nHoles", "The number of holes.", |m| Value::Float(m.holes as f64)),
-    measure!("geometry.isConcave", "Whether a face is concave.", |m| Value::Bool(m.concave)),
+    measure!("geometry.isConcave", "Whether a face is concave.", |m| Value::Bool(m.concave)).truth(),
     Function::new("geometry.height", "", (0, 0), "The extent along the scope's y axis in metres.", |_, around| {
         Ok(Value::Float(around.shape.scope.size.y))
     }),
@@ -41,7 +41,8 @@ pub(super) static LIST: &[Function] = &[
             let tolerance = args.first().and_then(Value::as_float).unwrap_or(5.0);
             Ok(Value::Bool(around.shape.is_rectangular(tolerance)))
         },
-    ),
+    )
+    .truth(),
 ];
 
 fn area(args: &[Value], around: &mut Surroundings) -> Result<Value, String> {

@@ -52,9 +52,11 @@ pub(super) static LIST: &[Function] = &[
     Function::new("isnan", "(x)", (1, 1), "Whether x is not a number.", |args, _| {
         Ok(Value::Bool(number(args, 0)?.is_nan()))
     })
+    .truth()
     .constant(),
     Function::new("isinf", "(x)", (1, 1), "Whether x is infinite.", |args, _| {
         Ok(Value::Bool(number(args, 0)?.is_infinite()))
     })
+    .truth()
     .constant(),
 ];

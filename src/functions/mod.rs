@@ -29,6 +29,8 @@ pub struct Function {
     pub words: &'static [&'static str],
     /// Gives the same for the same arguments anywhere: may be computed before derivation.
     pub constant: bool,
+    /// What sort of value it gives.
+    pub gives: Gives,
     /// `set()` may change it.
     pub settable: bool,
     /// It asks how shapes lie to each other.
@@ -37,6 +39,17 @@ pub struct Function {
     pub added: bool,
     /// Its value.
     pub call: fn(&[Value], &mut Surroundings) -> Result<Value, String>,
+}
+
+/// What sort of value a function gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Gives {
+    /// A number.
+    Number,
+    /// A truth value.
+    Truth,
+    /// A text.
+    Text,
 }
 
 /// What a function may look at.
@@ -96,6 +109,7 @@ impl Function {
             arity,
             words: &[],
             constant: false,
+            gives: Gives::Number,
             settable: false,
             looks_around: false,
             added: false,
@@ -110,6 +124,16 @@ impl Function {
 
     const fn words(mut self, words: &'static [&'static str]) -> Function {
         self.words = words;
+        self
+    }
+
+    const fn truth(mut self) -> Function {
+        self.gives = Gives::Truth;
+        self
+    }
+
+    const fn text(mut self) -> Function {
+        self.gives = Gives::Text;
         self
     }
 

@@ -16,6 +16,7 @@ pub(super) static LIST: &[Function] = &[
     Function::new("inside", SIGNATURE, (0, 2), "Whether the shape lies inside another.", |args, around| {
         ask(args, around, Relation::Inside)
     })
+    .truth()
     .words(TARGETS)
     .looking(),
     Function::new(
@@ -25,6 +26,7 @@ pub(super) static LIST: &[Function] = &[
         "Whether the shape and another share an inner part.",
         |args, around| ask(args, around, Relation::Overlaps),
     )
+    .truth()
     .words(TARGETS)
     .looking(),
     Function::new(
@@ -34,6 +36,7 @@ pub(super) static LIST: &[Function] = &[
         "Whether the shape meets another within a millimetre.",
         |args, around| ask(args, around, Relation::Touches),
     )
+    .truth()
     .words(TARGETS)
     .looking(),
 ];

@@ -20,5 +20,6 @@ pub(super) static LIST: &[Function] = &[
     ),
     Function::new("p", "(probability)", (1, 1), "True with the given probability, 0 to 1.", |args, around| {
         Ok(Value::Bool(around.random.unit() < number(args, 0)?))
-    }),
+    })
+    .truth(),
 ];

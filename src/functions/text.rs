@@ -5,6 +5,7 @@ use crate::value::Value;
 
 pub(super) static LIST: &[Function] = &[
     Function::new("str", "(value)", (1, 1), "Any value as a text.", |args, _| Ok(Value::text(args[0].to_string())))
+        .text()
         .constant(),
     Function::new(
         "float",
@@ -27,6 +28,7 @@ pub(super) static LIST: &[Function] = &[
             value => value.as_float().is_some_and(|n| n != 0.0),
         }))
     })
+    .truth()
     .constant(),
     Function::new("len", "(text)", (1, 1), "The number of characters.", |args, _| {
         Ok(Value::Float(text_at(args, 0)?.chars().count() as f64))
@@ -60,9 +62,11 @@ pub(super) static LIST: &[Function] = &[
             Ok(Value::text(text.chars().skip(from.max(0.0) as usize).take(count).collect::<String>()))
         },
     )
+    .text()
     .constant(),
     Function::new("replace", "(text, old, new)", (3, 3), "The text with every old part replaced.", |args, _| {
         Ok(Value::text(text_at(args, 0)?.replace(text_at(args, 1)?, text_at(args, 2)?)))
     })
+    .text()
     .constant(),
 ];
