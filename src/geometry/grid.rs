@@ -40,11 +40,6 @@ impl PointGrid {
         let near = self.cells.covered(box_of).flat_map(|cell| self.lists.of(self.cells.index(cell)));
         near.filter(move |i| self.points[*i].distance_squared(centre) <= radius * radius)
     }
-
-    /// Whether a point lies nearer than `radius`.
-    pub fn any_within(&self, centre: DVec2, radius: f64) -> bool {
-        self.within(centre, radius).next().is_some()
-    }
 }
 
 impl BoxGrid {
