@@ -101,7 +101,7 @@ fn read_names(record: &mut Record<'_>, entry: &mut Entry) {
     }
     if entry.code.is_empty() {
         let letters = entry.category.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_uppercase);
-        entry.code = letters.chain("XXX".chars()).take(3).collect::<String>().into();
+        entry.code = letters.chain(std::iter::repeat('X')).take(3).collect::<String>().into();
     }
 }
 
