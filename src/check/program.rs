@@ -265,6 +265,14 @@ impl Program {
     }
 }
 
+impl Application {
+    /// Where the argument of a parameter is written.
+    pub fn argument_span(&self, parameter: &str) -> Option<Span> {
+        let index = self.operation.spec.params.iter().position(|p| p.name == parameter)?;
+        self.arg_spans.get(index).copied()
+    }
+}
+
 impl Attribute {
     /// What it is called, the import's name first, and then without it: `bosquet.room`, `room`.
     pub fn names(&self) -> impl Iterator<Item = &str> {

@@ -402,7 +402,7 @@ impl Engine<'_> {
         let chosen = match &application.block {
             Block::Selectors(selectors) => {
                 let components = application.operation.components(&mut values.clone(), &current.shape);
-                let components = components.map_err(|p| self.problem(application.span, p, turn))?;
+                let components = components.map_err(|p| self.problem(application, p, turn))?;
                 let mut frame = self.frame(turn, current);
                 select::choose(selectors, &components, &mut frame).map_err(|f| self.failed(f, turn))?
             }
@@ -422,7 +422,7 @@ impl Engine<'_> {
             most: self.options.limits.children,
         };
         let pieces = application.operation.apply(&mut values, &mut current.shape, &given);
-        match pieces.map_err(|p| self.problem(application.span, p, turn))? {
+        match pieces.map_err(|p| self.problem(application, p, turn))? {
             Pieces::Changed => current.changed(own_seed),
             Pieces::Vanished => current.deleted = true,
             Pieces::Told(effect) => self.effect(effect, turn, current),
@@ -521,11 +521,10 @@ impl Engine<'_> {
         Stop::Branch(Box::new(self.diagnostic("value", failure.span, failure.message, turn.node)))
     }
 
-    fn problem(&self, span: Span, problem: Problem, turn: &Turn) -> Stop {
-        let mut diagnostic = self.diagnostic("geometry", span, problem.message, turn.node);
-        diagnostic.hints = problem.hints;
-        let diagnostic = Box::new(diagnostic);
-        if problem.fatal { Stop::Lot(diagnostic) } else { Stop::Branch(diagnostic) }
+    fn problem(&self, application: &Application, problem: Problem, turn: &Turn) -> Stop {
+        let span = problem.parameter.and_then(|name| application.argument_span(name)).unwrap_or(application.span);
+        let diagnostic = self.diagnostic("geometry", span, problem.message, turn.node);
+        Stop::Branch(Box::new(Diagnostic { hints: problem.hints, ..diagnostic }))
     }
 
     /// An error with the lot and the rules on the way down.

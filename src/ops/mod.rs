@@ -162,8 +162,8 @@ pub struct Problem {
     pub message: String,
     /// Advice.
     pub hints: Vec<String>,
-    /// A limit was hit: the lot ends here.
-    pub fatal: bool,
+    /// The argument that it is about; the whole call where there is none.
+    pub parameter: Option<&'static str>,
 }
 
 /// What an operation does.
@@ -217,7 +217,7 @@ impl Operation {
 impl Problem {
     /// A problem of one branch.
     pub fn new(message: impl Into<String>) -> Problem {
-        Problem { message: message.into(), hints: Vec::new(), fatal: false }
+        Problem { message: message.into(), hints: Vec::new(), parameter: None }
     }
 
     /// An argument that must be given is not.
@@ -238,9 +238,10 @@ pub fn find(name: &str) -> Option<&'static Operation> {
 }
 
 /// A value as the type of its parameter.
-pub fn decode_value<T: Parameter>(parameter: &str, value: Value) -> Result<T, Problem> {
+pub fn decode_value<T: Parameter>(parameter: &'static str, value: Value) -> Result<T, Problem> {
     T::from_value(&value).ok_or_else(|| {
         let (wanted, found) = (T::KIND.words(), value.type_name());
-        Problem::new(format!("`{parameter}` takes {wanted}, found {found} `{value}`"))
+        let message = format!("`{parameter}` takes {wanted}, found {found} `{value}`");
+        Problem { parameter: Some(parameter), ..Problem::new(message) }
     })
 }

@@ -328,7 +328,7 @@ fn sized(size: Size, scope: f64) -> Result<Length, Problem> {
 
 fn too_many(count: usize, most: usize) -> Problem {
     let message = format!("the split makes {count} parts, more than the limit `children` of {most}");
-    Problem { message, hints: vec!["larger sizes make fewer parts".into()], fatal: false }
+    Problem::new(message).hint("larger sizes make fewer parts")
 }
 
 #[cfg(test)]
