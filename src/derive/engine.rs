@@ -40,7 +40,8 @@ pub(super) fn lot(
     let region = &layout.regions[index];
     let symbol = program.rules[rule as usize].symbol;
     let start = program.symbols[symbol as usize].clone();
-    let mut shape = Box::new(initial::shape(region, initial::seed(region, options.seed)));
+    let seed = initial::seed(region, options.seed);
+    let mut shape = Box::new(initial::shape(region, seed));
     let looking = program.looks_around;
     let mut engine = Engine {
         program,
@@ -50,6 +51,7 @@ pub(super) fn lot(
         intra: if looking { initial::intra(layout, region) } else { Occluders::default() },
         inter: if looking { initial::inter(layout, region) } else { Occluders::default() },
         lot: region.id.clone(),
+        seed,
         outcome: Outcome::default(),
         queue: Vec::new(),
         branches: vec![NodeId(0)],
@@ -91,6 +93,8 @@ struct Engine<'a> {
     intra: Occluders,
     inter: Occluders,
     lot: Arc<str>,
+    /// The seed of the lot.
+    seed: Seed,
     outcome: Outcome,
     queue: Vec<Task>,
     /// For occlusion a tree finer than that of the nodes, as each branch's parent: every piece of a block and every
@@ -414,6 +418,8 @@ impl Engine<'_> {
             cuts: &cuts,
             chosen: &chosen,
             seed,
+            lot: self.seed,
+            run: self.options.seed,
             around: &current.around,
             intra: &self.intra,
             inter: &self.inter,

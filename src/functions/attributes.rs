@@ -43,11 +43,19 @@ pub(super) static LIST: &[Function] = &[
         Value::Float(f64::from(a.shape.ordinals.comp.1))
     }),
     attribute!("place.index", "The number of the point in the last placement, from 0.", |a| {
-        Value::Float(f64::from(a.shape.ordinals.place.0))
+        Value::Float(f64::from(a.shape.ordinals.place.index))
     })
     .added(),
     attribute!("place.total", "The number of points of the last placement.", |a| {
-        Value::Float(f64::from(a.shape.ordinals.place.1))
+        Value::Float(f64::from(a.shape.ordinals.place.total))
+    })
+    .added(),
+    attribute!("place.radius", "The radius that the last placement reserved, metres.", |a| {
+        Value::Float(a.shape.ordinals.place.radius)
+    })
+    .added(),
+    attribute!("place.cluster", "The cluster, row, branch or edge of the last placement, from 0.", |a| {
+        Value::Float(f64::from(a.shape.ordinals.place.cluster))
     })
     .added(),
     attribute!("seedian", "The shape's seed as a number.", |a| Value::Float((a.shape.seed.0 >> 11) as f64)).settable(),

@@ -100,6 +100,10 @@ pub struct Given<'a> {
     pub chosen: &'a [Option<Choice>],
     /// Where the operation's random numbers come from.
     pub seed: Seed,
+    /// The seed of the lot: what its plants have in common.
+    pub lot: Seed,
+    /// The seed of the run: what all lots have in common.
+    pub run: Seed,
     /// The size of the scope that the shape's parent had when the rule began: what `center` centres in.
     pub around: &'a crate::shape::Scope,
     /// The earlier shapes and the features of the lot.

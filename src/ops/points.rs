@@ -2,7 +2,7 @@
 
 use crate::geometry::Area;
 use crate::ops::{Part, Pieces, Problem, fit};
-use crate::shape::{Geometry, Plane, Shape};
+use crate::shape::{Geometry, Place, Plane, Shape};
 use glam::{DQuat, DVec2, DVec3};
 
 /// The plane and region that points are set on: a flat shape itself, the top of a prism.
@@ -26,7 +26,7 @@ pub fn children(shape: &Shape, plane: &Plane, lift: DVec3, points: &[DVec2]) -> 
     let parts = (0..).zip(points).map(|(index, point)| {
         let mut child = fit::point(shape, plane.at(*point) + lift);
         child.scope.frame = child.scope.frame.turned(turn);
-        child.ordinals.place = (index, total);
+        child.ordinals.place = Place { index, total, ..Place::default() };
         Part { entry: 0, shape: child }
     });
     Pieces::Beside(parts.collect())

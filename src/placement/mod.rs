@@ -4,15 +4,23 @@
 //! stays the same. Point number `n` of a scatter is the same whatever the count: asking for one more plant moves none.
 
 mod even;
+mod field;
+mod radii;
 mod scatter;
+mod site;
+mod spot;
 
 pub use even::{distributed, homogeneous};
+pub use field::{Field, Grid};
+pub use radii::Radii;
 pub use scatter::{Scatter, gaussian, uniform};
+pub use site::{Body, Disk, Site};
+pub use spot::{Amount, Placed, Spot, Stop};
 
 use crate::geometry::Area;
 
-/// More points than this in one area are refused: a forest of a million trees has no place in one lot.
-pub const MOST_POINTS: usize = 1_000_000;
+/// More points than this in one area are refused: all trees of a large city have no place in one lot.
+pub const MOST_POINTS: usize = 10_000_000;
 
 /// Why no points were placed.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -26,6 +34,16 @@ pub enum PlacementError {
     /// A deviation that is negative or no number.
     #[error("a deviation must be a number from 0 up, not {}", crate::text::number(*.0, 6))]
     Deviation(f64),
+    /// A parameter of a strategy is not what it may be.
+    #[error("`{parameter}` must be {allowed}, not {}", crate::text::number(*.found, 6))]
+    Value {
+        /// The parameter.
+        parameter: &'static str,
+        /// What was given.
+        found: f64,
+        /// What may be given, in words.
+        allowed: &'static str,
+    },
 }
 
 /// How many points a density (per m²) means in an area: rounded to the nearest.

@@ -43,6 +43,19 @@ pub struct Ordinals {
     pub split: (u32, u32),
     /// `comp.index`, `comp.total`.
     pub comp: (u32, u32),
-    /// `place.index`, `place.total`.
-    pub place: (u32, u32),
+    /// The last placement.
+    pub place: Place,
+}
+
+/// What a placement gave a point.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Place {
+    /// `place.index`.
+    pub index: u32,
+    /// `place.total`.
+    pub total: u32,
+    /// `place.radius`: the radius that is reserved, metres; 0 where none is.
+    pub radius: f64,
+    /// `place.cluster`: which cluster, row, branch or edge.
+    pub cluster: u32,
 }

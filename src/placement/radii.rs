@@ -1,0 +1,85 @@
+//! The radii of plants' envelopes: a normal distribution, cut off on both sides.
+//!
+//! Niese et al. 2022, §5.3: r(y) ~ N(μ, σ). The paper calls σ the variance; `deviation` here is its root.
+
+use crate::placement::{Field, PlacementError};
+use crate::seed::Random;
+use glam::DVec2;
+
+/// The distribution of radii, metres.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Radii {
+    /// The mean (μ); may vary over the plan.
+    pub mean: Field,
+    /// The standard deviation (√σ).
+    pub deviation: f64,
+    /// No radius is below this; where it is not given, below half the mean.
+    pub least: Option<f64>,
+}
+
+impl Radii {
+    /// The same radius everywhere.
+    pub fn constant(radius: f64) -> Radii {
+        Radii { mean: Field::Constant(radius), deviation: 0.0, least: None }
+    }
+
+    /// Refuses what is not positive and finite.
+    pub fn check(&self) -> Result<(), PlacementError> {
+        let positive = "a number of metres above 0";
+        for mean in [self.mean.least(), self.mean.most()] {
+            if !(mean.is_finite() && mean > 0.0) {
+                return Err(PlacementError::Value { parameter: "radius", found: mean, allowed: positive });
+            }
+        }
+        if !(self.deviation.is_finite() && self.deviation >= 0.0) {
+            let allowed = "a number of metres from 0 up";
+            return Err(PlacementError::Value { parameter: "radius_sd", found: self.deviation, allowed });
+        }
+        match self.least {
+            Some(least) if !(least.is_finite() && least > 0.0) => {
+                Err(PlacementError::Value { parameter: "radius_min", found: least, allowed: positive })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The least and greatest radius where the mean is `mean`: two deviations around it, never below half of it or
+    /// the least that was given.
+    pub fn range(&self, mean: f64) -> [f64; 2] {
+        let floor = self.least.unwrap_or(0.5 * mean);
+        let low = (mean - 2.0 * self.deviation).max(floor);
+        [low, (mean + 2.0 * self.deviation).max(low)]
+    }
+
+    /// The least radius anywhere.
+    pub fn smallest(&self) -> f64 {
+        self.range(self.mean.least())[0]
+    }
+
+    /// The greatest radius anywhere.
+    pub fn largest(&self) -> f64 {
+        self.range(self.mean.most())[1]
+    }
+
+    /// A radius for a plant at `p`.
+    pub fn draw(&self, p: DVec2, random: &mut Random) -> f64 {
+        let mean = self.mean.at(p);
+        let range = self.range(mean);
+        self.draw_within(mean, range, random)
+    }
+
+    /// A radius from the part of the distribution between two bounds.
+    pub fn draw_within(&self, mean: f64, [low, high]: [f64; 2], random: &mut Random) -> f64 {
+        if self.deviation == 0.0 || high <= low {
+            return mean.clamp(low, high.max(low));
+        }
+        // Bounds reach two deviations at most, so nearly every draw lands; a narrow rest is drawn evenly.
+        for _ in 0..16 {
+            let radius = random.normal(mean, self.deviation);
+            if (low..=high).contains(&radius) {
+                return radius;
+            }
+        }
+        random.uniform(low, high)
+    }
+}
