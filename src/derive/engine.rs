@@ -4,17 +4,21 @@
 //! queued behind the rule. Where a rule names no successor the current shape is what is built; points set on a shape
 //! (`scatter`, `Distr`) do not use it up.
 
-use crate::check::{Alternative, Application, Block, Body, Program, Step, Successor};
+use crate::check::{Alternative, Application, Block, Body, Code, Program, Step, Successor};
 use crate::derive::evaluate::{self, Failure, Names};
 use crate::derive::frame::Frame;
+use crate::derive::position::{self, Varied};
 use crate::derive::{Options, Progress, initial, select};
-use crate::diag::{self, Diagnostic, Span};
+use crate::diag::{self, Diagnostic, Severity, Span};
 use crate::functions::{Initial, Surroundings};
+use crate::geometry::Area;
 use crate::layout::Layout;
-use crate::ops::{Effect, Given, Part, Pieces, Problem};
+use crate::ops::{Effect, Given, ParamKind, Part, Pieces, Problem, Remark};
+use crate::placement::{Disk, Field, Standing};
 use crate::seed::{Random, Seed};
-use crate::shape::{LeafOf, Node, NodeId, Occluder, Occluders, Outcome, Print, Scope, Shape};
+use crate::shape::{Geometry, LeafOf, Node, NodeId, Occluder, Occluders, Outcome, Print, Scope, Shape, on_plan};
 use crate::value::Value;
+use glam::DVec3;
 use smallvec::SmallVec;
 use std::sync::Arc;
 use std::time::Instant;
@@ -27,6 +31,9 @@ type Args = Box<[Value]>;
 
 /// Arguments of an operation, in the order of its parameters.
 type Values = SmallVec<[Option<Value>; 6]>;
+
+/// Arguments that vary over the shape, by parameter.
+type Fields = Vec<(&'static str, Field)>;
 
 /// Derives one region.
 pub(super) fn lot(
@@ -50,6 +57,8 @@ pub(super) fn lot(
         initial: initial::facts(region, start),
         intra: if looking { initial::intra(layout, region) } else { Occluders::default() },
         inter: if looking { initial::inter(layout, region) } else { Occluders::default() },
+        standing: if looking { initial::standing(layout, region) } else { Standing::default() },
+        outline: region.polygon.clone().into(),
         lot: region.id.clone(),
         seed,
         outcome: Outcome::default(),
@@ -92,6 +101,10 @@ struct Engine<'a> {
     initial: Initial,
     intra: Occluders,
     inter: Occluders,
+    /// The radii that plants keep for themselves so far.
+    standing: Standing,
+    /// The lot on the plan.
+    outline: Area,
     lot: Arc<str>,
     /// The seed of the lot.
     seed: Seed,
@@ -169,6 +182,7 @@ impl Engine<'_> {
             inter: &self.inter,
             is_ancestor: &|_| false,
             initial: &self.initial,
+            at: None,
         };
         let calls = self.options.limits.calls;
         let (values, failures) = evaluate::attributes(self.program, given, &mut around, calls);
@@ -401,8 +415,8 @@ impl Engine<'_> {
             }
             _ => Vec::new(),
         };
-        let mut values = Values::new();
-        self.arguments(application, turn, current, &mut values)?;
+        let (mut values, mut fields) = (Values::new(), Fields::new());
+        self.arguments(application, turn, current, &mut values, &mut fields)?;
         let chosen = match &application.block {
             Block::Selectors(selectors) => {
                 let components = application.operation.components(&mut values.clone(), &current.shape);
@@ -421,6 +435,9 @@ impl Engine<'_> {
             lot: self.seed,
             run: self.options.seed,
             around: &current.around,
+            fields: &fields,
+            outline: &self.outline,
+            standing: &self.standing,
             intra: &self.intra,
             inter: &self.inter,
             catalogue: self.options.catalogue,
@@ -437,6 +454,12 @@ impl Engine<'_> {
                 self.parts(application, parts, (seed, current.branch), turn)?;
             }
             Pieces::Beside(parts) => self.parts(application, parts, (seed, current.branch), turn)?,
+            Pieces::Placed(parts, remarks) => {
+                remarks.into_iter().for_each(|remark| self.remark(application, remark, turn));
+                // What is placed stands from now on, whatever becomes of it and when.
+                parts.iter().for_each(|part| self.standing.add(disk(&part.shape, part.shape.ordinals.place.radius)));
+                self.parts(application, parts, (seed, current.branch), turn)?;
+            }
         }
         Ok(())
     }
@@ -447,15 +470,38 @@ impl Engine<'_> {
         turn: &Turn,
         current: &mut Current,
         values: &mut Values,
+        fields: &mut Fields,
     ) -> Result<(), Stop> {
-        for arg in &application.args {
-            let value = arg.as_ref().map(|code| match code.known() {
-                Some(value) => Ok(value.clone()),
-                None => self.frame(turn, current).with(|n, a| evaluate::evaluate(code, n, a)),
+        let params = application.operation.spec.params.iter().zip(&application.arg_spans);
+        for (arg, (param, span)) in application.args.iter().zip(params) {
+            let value = arg.as_ref().map(|code| match (code.known(), param.kind) {
+                (Some(value), _) => Ok(value.clone()),
+                (None, ParamKind::Varying(_)) => self.varied(code, param.name, *span, turn, current, fields),
+                (None, _) => self.frame(turn, current).with(|n, a| evaluate::evaluate(code, n, a)),
             });
             values.push(value.transpose().map_err(|f| self.failed(f, turn))?);
         }
         Ok(())
+    }
+
+    /// The value of an argument that may vary; where it does, its mean, and the whole among the fields.
+    fn varied(
+        &self,
+        code: &Code,
+        name: &'static str,
+        span: Span,
+        turn: &Turn,
+        current: &mut Current,
+        fields: &mut Fields,
+    ) -> Result<Value, Failure> {
+        match position::vary(code, span, &mut self.frame(turn, current), &self.outline)? {
+            Varied::Same(value) => Ok(value),
+            Varied::Grid(grid) => {
+                let mean = grid.mean();
+                fields.push((name, Field::Grid(Arc::new(grid))));
+                Ok(Value::Float(mean))
+            }
+        }
     }
 
     /// Runs the block's bodies on the pieces; a piece that fails is left out and the others go on.
@@ -492,15 +538,19 @@ impl Engine<'_> {
             }
             Effect::Label(label) if self.program.looks_around => {
                 let footprint = current.shape.footprint();
-                self.intra.add(Occluder { label: Some(label), node: Some(current.branch), footprint });
+                self.intra.add(Occluder { label: Some(label), layer: None, node: Some(current.branch), footprint });
             }
             Effect::Label(_) => {}
         }
     }
 
     fn leaf(&mut self, node: NodeId, branch: NodeId, shape: Box<Shape>) {
+        if self.program.looks_around && shape.ordinals.place.radius == 0.0 && is_plant(&shape) {
+            let size = shape.scope.size;
+            self.standing.add(disk(&shape, 0.5 * size.x.max(size.z)));
+        }
         if self.program.looks_around && shape.is_closed() {
-            self.intra.add(Occluder { label: None, node: Some(branch), footprint: shape.footprint() });
+            self.intra.add(Occluder { label: None, layer: None, node: Some(branch), footprint: shape.footprint() });
         }
         self.outcome.leaves.push(LeafOf { node, shape });
     }
@@ -520,11 +570,18 @@ impl Engine<'_> {
             initial: &self.initial,
             branches: &self.branches,
             branch: current.branch,
+            at: None,
         }
     }
 
     fn failed(&self, failure: Failure, turn: &Turn) -> Stop {
         Stop::Branch(Box::new(self.diagnostic("value", failure.span, failure.message, turn.node)))
+    }
+
+    fn remark(&mut self, application: &Application, remark: Remark, turn: &Turn) {
+        let span = remark.parameter.and_then(|name| application.argument_span(name)).unwrap_or(application.span);
+        let diagnostic = self.diagnostic("placement", span, remark.message, turn.node);
+        self.outcome.diagnostics.push(Diagnostic { severity: Severity::Lint, ..diagnostic });
     }
 
     fn problem(&self, application: &Application, problem: Problem, turn: &Turn) -> Stop {
@@ -544,6 +601,18 @@ impl Engine<'_> {
             .collect();
         diagnostic
     }
+}
+
+/// A plant that is built.
+fn is_plant(shape: &Shape) -> bool {
+    matches!(&shape.geometry, Geometry::Element(placed) if placed.round)
+}
+
+/// The middle of a shape on the plan, with a radius about it.
+fn disk(shape: &Shape, radius: f64) -> Disk {
+    let size = shape.scope.size;
+    let middle = shape.scope.frame.to_world(DVec3::new(size.x * 0.5, 0.0, size.z * 0.5));
+    Disk { position: on_plan(middle), radius }
 }
 
 /// Rules that a trace shows, from the innermost.

@@ -3,7 +3,7 @@
 //! The engine fills a [`Frame`] in for each expression; evaluation and selectors read it. Nothing here changes a shape.
 
 use crate::derive::evaluate::Names;
-use crate::functions::{Initial, Surroundings};
+use crate::functions::{At, Initial, Surroundings};
 use crate::seed::Random;
 use crate::shape::{NodeId, Occluders, Shape};
 
@@ -25,6 +25,8 @@ pub(super) struct Frame<'f> {
     pub branches: &'f [NodeId],
     /// The current shape's branch.
     pub branch: NodeId,
+    /// The place for which an argument that may vary is evaluated.
+    pub at: Option<&'f At<'f>>,
 }
 
 impl Frame<'_> {
@@ -43,8 +45,14 @@ impl Frame<'_> {
             inter: self.inter,
             is_ancestor: &is_ancestor,
             initial: self.initial,
+            at: self.at,
         };
         f(&self.names, &mut around)
+    }
+
+    /// The same frame for a shorter time.
+    pub fn reborrow(&mut self) -> Frame<'_> {
+        Frame { names: self.names, random: self.random, ..*self }
     }
 }
 

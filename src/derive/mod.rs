@@ -7,6 +7,7 @@ mod engine;
 mod evaluate;
 mod frame;
 mod initial;
+mod position;
 mod select;
 mod start;
 

@@ -7,8 +7,11 @@ mod attributes;
 mod geometry;
 mod math;
 mod occlusion;
+mod position;
 mod random;
 mod text;
+
+pub use position::At;
 
 use crate::seed::Random;
 use crate::shape::{NodeId, Occluders, Shape};
@@ -66,6 +69,8 @@ pub struct Surroundings<'a> {
     pub is_ancestor: &'a dyn Fn(NodeId) -> bool,
     /// The initial shape.
     pub initial: &'a Initial,
+    /// The place for which an argument that may vary is evaluated.
+    pub at: Option<&'a At<'a>>,
 }
 
 /// What rules can ask of their initial shape.
@@ -92,7 +97,7 @@ pub fn find(name: &str) -> Option<&'static Function> {
 }
 
 static FUNCTIONS: &[&[Function]] =
-    &[math::LIST, random::LIST, text::LIST, geometry::LIST, occlusion::LIST, attributes::LIST];
+    &[math::LIST, random::LIST, text::LIST, geometry::LIST, occlusion::LIST, position::LIST, attributes::LIST];
 
 impl Function {
     const fn new(

@@ -14,4 +14,4 @@ pub use geometry::{Geometry, Placed, Plane};
 pub use measure::Measure;
 pub use occluders::{Occluder, Occluders, Relation};
 pub use scope::{Axis, Frame, Scope};
-pub use state::{Ordinals, Place, Shape, Style};
+pub use state::{Envelope, Ordinals, Place, Shape, Style};
