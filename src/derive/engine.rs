@@ -169,6 +169,7 @@ impl Engine<'_> {
             inter: &self.inter,
             is_ancestor: &|_| false,
             initial: &self.initial,
+            catalogue: self.options.catalogue,
         };
         let calls = self.options.limits.calls;
         let (values, failures) = evaluate::attributes(self.program, given, &mut around, calls);
@@ -518,6 +519,7 @@ impl Engine<'_> {
             intra: &self.intra,
             inter: &self.inter,
             initial: &self.initial,
+            catalogue: self.options.catalogue,
             branches: &self.branches,
             branch: current.branch,
         }

@@ -237,5 +237,6 @@ fn reborrow<'s>(around: &'s mut Surroundings<'_>) -> Surroundings<'s> {
         inter: around.inter,
         is_ancestor: around.is_ancestor,
         initial: around.initial,
+        catalogue: around.catalogue,
     }
 }

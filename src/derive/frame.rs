@@ -3,6 +3,7 @@
 //! The engine fills a [`Frame`] in for each expression; evaluation and selectors read it. Nothing here changes a shape.
 
 use crate::derive::evaluate::Names;
+use crate::element::Catalogue;
 use crate::functions::{Initial, Surroundings};
 use crate::seed::Random;
 use crate::shape::{NodeId, Occluders, Shape};
@@ -21,6 +22,8 @@ pub(super) struct Frame<'f> {
     pub inter: &'f Occluders,
     /// The initial shape.
     pub initial: &'f Initial,
+    /// The element repository.
+    pub catalogue: &'f Catalogue,
     /// Each branch's parent.
     pub branches: &'f [NodeId],
     /// The current shape's branch.
@@ -43,6 +46,7 @@ impl Frame<'_> {
             inter: self.inter,
             is_ancestor: &is_ancestor,
             initial: self.initial,
+            catalogue: self.catalogue,
         };
         f(&self.names, &mut around)
     }

@@ -10,6 +10,7 @@ mod occlusion;
 mod random;
 mod text;
 
+use crate::element::Catalogue;
 use crate::seed::Random;
 use crate::shape::{NodeId, Occluders, Shape};
 use crate::value::Value;
@@ -66,6 +67,8 @@ pub struct Surroundings<'a> {
     pub is_ancestor: &'a dyn Fn(NodeId) -> bool,
     /// The initial shape.
     pub initial: &'a Initial,
+    /// The element repository.
+    pub catalogue: &'a Catalogue,
 }
 
 /// What rules can ask of their initial shape.
