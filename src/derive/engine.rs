@@ -183,6 +183,7 @@ impl Engine<'_> {
             is_ancestor: &|_| false,
             initial: &self.initial,
             at: None,
+            catalogue: self.options.catalogue,
         };
         let calls = self.options.limits.calls;
         let (values, failures) = evaluate::attributes(self.program, given, &mut around, calls);
@@ -568,6 +569,7 @@ impl Engine<'_> {
             intra: &self.intra,
             inter: &self.inter,
             initial: &self.initial,
+            catalogue: self.options.catalogue,
             branches: &self.branches,
             branch: current.branch,
             at: None,

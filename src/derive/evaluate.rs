@@ -239,5 +239,6 @@ fn reborrow<'s>(around: &'s mut Surroundings<'_>) -> Surroundings<'s> {
         is_ancestor: around.is_ancestor,
         initial: around.initial,
         at: around.at,
+        catalogue: around.catalogue,
     }
 }

@@ -4,6 +4,8 @@
 
 use crate::derive::evaluate::Names;
 use crate::functions::{At, Initial, Surroundings};
+use crate::element::Catalogue;
+use crate::functions::{Initial, Surroundings};
 use crate::seed::Random;
 use crate::shape::{NodeId, Occluders, Shape};
 
@@ -21,6 +23,8 @@ pub(super) struct Frame<'f> {
     pub inter: &'f Occluders,
     /// The initial shape.
     pub initial: &'f Initial,
+    /// The element repository.
+    pub catalogue: &'f Catalogue,
     /// Each branch's parent.
     pub branches: &'f [NodeId],
     /// The current shape's branch.
@@ -46,6 +50,7 @@ impl Frame<'_> {
             is_ancestor: &is_ancestor,
             initial: self.initial,
             at: self.at,
+            catalogue: self.catalogue,
         };
         f(&self.names, &mut around)
     }

@@ -13,6 +13,7 @@ mod text;
 
 pub use position::At;
 
+use crate::element::Catalogue;
 use crate::seed::Random;
 use crate::shape::{NodeId, Occluders, Shape};
 use crate::value::Value;
@@ -71,6 +72,8 @@ pub struct Surroundings<'a> {
     pub initial: &'a Initial,
     /// The place for which an argument that may vary is evaluated.
     pub at: Option<&'a At<'a>>,
+    /// The element repository.
+    pub catalogue: &'a Catalogue,
 }
 
 /// What rules can ask of their initial shape.
