@@ -5,12 +5,13 @@
 //! (`scatter`, `Distr`) do not use it up.
 
 use crate::check::{Alternative, Application, Block, Body, Code, Program, Step, Successor};
+use crate::derive::beginning::Beginning;
 use crate::derive::evaluate::{self, Failure, Names};
 use crate::derive::frame::Frame;
 use crate::derive::position::{self, Varied};
-use crate::derive::{Options, Progress, initial, select};
+use crate::derive::{Options, Progress, select};
 use crate::diag::{self, Diagnostic, Severity, Span};
-use crate::functions::{Initial, Surroundings};
+use crate::functions::Initial;
 use crate::geometry::Area;
 use crate::layout::Layout;
 use crate::ops::{Effect, Given, ParamKind, Part, Pieces, Problem, Remark};
@@ -35,38 +36,39 @@ type Values = SmallVec<[Option<Value>; 6]>;
 /// Arguments that vary over the shape, by parameter.
 type Fields = Vec<(&'static str, Field)>;
 
-/// Derives one region.
+/// Derives one region, with the values that it has from its context.
 pub(super) fn lot(
     program: &Program,
     layout: &Layout,
-    index: usize,
-    rule: u32,
+    (index, rule): (usize, u32),
+    context: &[(usize, Value)],
     options: &Options,
     progress: &Progress,
 ) -> Outcome {
-    let region = &layout.regions[index];
+    let lot = Beginning::of(program, layout, index, rule, options, program.looks_around);
+    let (attributes, failures) = lot.attributes(program, options, context);
     let symbol = program.rules[rule as usize].symbol;
-    let start = program.symbols[symbol as usize].clone();
-    let seed = initial::seed(region, options.seed);
-    let mut shape = Box::new(initial::shape(region, seed));
-    let looking = program.looks_around;
+    let shape = Box::new(Shape { attributes, ..lot.shape });
     let mut engine = Engine {
         program,
         options,
         progress,
-        initial: initial::facts(region, start),
-        intra: if looking { initial::intra(layout, region) } else { Occluders::default() },
-        inter: if looking { initial::inter(layout, region) } else { Occluders::default() },
-        standing: if looking { initial::standing(layout, region) } else { Standing::default() },
-        outline: region.polygon.clone().into(),
-        lot: region.id.clone(),
-        seed,
+        initial: lot.initial,
+        intra: lot.intra,
+        inter: lot.inter,
+        standing: lot.standing,
+        outline: lot.region.polygon.clone().into(),
+        lot: lot.region.id.clone(),
+        seed: lot.seed,
         outcome: Outcome::default(),
         queue: Vec::new(),
         branches: vec![NodeId(0)],
         begun: Instant::now(),
     };
-    engine.attributes(&mut shape, region);
+    for failure in failures {
+        let diagnostic = Diagnostic::error("value", failure.span, failure.message);
+        engine.outcome.diagnostics.push(Diagnostic { lot: Some(engine.lot.clone()), ..diagnostic });
+    }
     let (args, rule) = (Args::default(), Some(rule));
     engine.queue.push(Task { shape, parent: NodeId(0), branch: NodeId(0), symbol, rule, args, depth: 0 });
     engine.run();
@@ -164,36 +166,6 @@ impl Current {
 }
 
 impl Engine<'_> {
-    /// The attributes on the initial shape.
-    fn attributes(&mut self, shape: &mut Shape, region: &crate::layout::Region) {
-        let attributes = &self.program.attributes;
-        let given = |slot: usize| {
-            let set = self.options.set.iter().rev().find(|(s, _)| *s == slot).map(|(_, value)| value.clone());
-            let attribute = &attributes[slot];
-            set.or_else(|| {
-                attribute.names().find_map(|name| region.attributes.get(name)).filter(|_| attribute.public).cloned()
-            })
-        };
-        let mut random = shape.seed.random();
-        let mut around = Surroundings {
-            shape,
-            random: &mut random,
-            intra: &self.intra,
-            inter: &self.inter,
-            is_ancestor: &|_| false,
-            initial: &self.initial,
-            at: None,
-            catalogue: self.options.catalogue,
-        };
-        let calls = self.options.limits.calls;
-        let (values, failures) = evaluate::attributes(self.program, given, &mut around, calls);
-        shape.attributes = values;
-        for failure in failures {
-            let diagnostic = Diagnostic::error("value", failure.span, failure.message);
-            self.outcome.diagnostics.push(Diagnostic { lot: Some(self.lot.clone()), ..diagnostic });
-        }
-    }
-
     fn run(&mut self) {
         while let Some(task) = self.queue.pop() {
             if let Err(stop) = self.within_limits(&task).and_then(|()| self.task(task)) {

@@ -3,9 +3,8 @@
 //! The engine fills a [`Frame`] in for each expression; evaluation and selectors read it. Nothing here changes a shape.
 
 use crate::derive::evaluate::Names;
-use crate::functions::{At, Initial, Surroundings};
 use crate::element::Catalogue;
-use crate::functions::{Initial, Surroundings};
+use crate::functions::{At, Initial, Surroundings};
 use crate::seed::Random;
 use crate::shape::{NodeId, Occluders, Shape};
 

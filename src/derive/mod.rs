@@ -3,6 +3,8 @@
 //! A lot's derivation needs the program, the lot, its features, its neighbours' outlines and a seed, and nothing
 //! else; so lots are derived in parallel, and threads change nothing. The engine knows no operation by name.
 
+mod beginning;
+mod context;
 mod engine;
 mod evaluate;
 mod frame;
@@ -91,14 +93,16 @@ pub fn derive(
     let starts: Vec<Result<u32, StartError>> =
         layout.regions.iter().map(|region| start_of(program, region, options.start.as_deref())).collect();
     let mut diagnostics = start::report(program, layout, &starts);
+    let rules: Vec<Option<u32>> = starts.iter().map(|start| start.as_ref().ok().copied()).collect();
+    let contexts = context::contexts(program, layout, &rules, options);
     let lots: Vec<Lot> = layout
         .regions
         .par_iter()
-        .zip(&starts)
+        .zip(&rules)
         .enumerate()
-        .filter_map(|(index, (region, start))| {
-            let rule = *start.as_ref().ok()?;
-            let outcome = engine::lot(program, layout, index, rule, options, progress);
+        .filter_map(|(index, (region, rule))| {
+            let context = contexts.get(index).map_or(&[][..], Vec::as_slice);
+            let outcome = engine::lot(program, layout, (index, (*rule)?), context, options, progress);
             progress.done.fetch_add(1, Ordering::Relaxed);
             Some(Lot { region: index, id: region.id.clone(), outcome })
         })
