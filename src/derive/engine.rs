@@ -12,6 +12,7 @@ use crate::diag::{self, Diagnostic, Span};
 use crate::functions::{Initial, Surroundings};
 use crate::layout::Layout;
 use crate::ops::{Effect, Given, Part, Pieces, Problem};
+use crate::raster::Rasters;
 use crate::seed::{Random, Seed};
 use crate::shape::{LeafOf, Node, NodeId, Occluder, Occluders, Outcome, Print, Scope, Shape};
 use crate::value::Value;
@@ -35,6 +36,7 @@ pub(super) fn lot(
     index: usize,
     rule: u32,
     options: &Options,
+    rasters: &Rasters,
     progress: &Progress,
 ) -> Outcome {
     let region = &layout.regions[index];
@@ -46,6 +48,7 @@ pub(super) fn lot(
     let mut engine = Engine {
         program,
         options,
+        rasters,
         progress,
         initial: initial::facts(region, start),
         intra: if looking { initial::intra(layout, region) } else { Occluders::default() },
@@ -88,6 +91,7 @@ enum Stop {
 struct Engine<'a> {
     program: &'a Program,
     options: &'a Options<'a>,
+    rasters: &'a Rasters<'a>,
     progress: &'a Progress,
     initial: Initial,
     intra: Occluders,
@@ -425,6 +429,7 @@ impl Engine<'_> {
             inter: &self.inter,
             catalogue: self.options.catalogue,
             world: self.options.world,
+            rasters: self.rasters,
             most: self.options.limits.children,
         };
         let pieces = application.operation.apply(&mut values, &mut current.shape, &given);

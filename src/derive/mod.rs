@@ -16,6 +16,7 @@ use crate::check::Program;
 use crate::diag::Diagnostic;
 use crate::element::Catalogue;
 use crate::layout::Layout;
+use crate::raster::Rasters;
 use crate::seed::Seed;
 use crate::shape::{Derivation, Lot};
 use crate::value::Value;
@@ -90,6 +91,8 @@ pub fn derive(
     let starts: Vec<Result<u32, StartError>> =
         layout.regions.iter().map(|region| start_of(program, region, options.start.as_deref())).collect();
     let mut diagnostics = start::report(program, layout, &starts);
+    let rules = program.sources.first().map_or("", |source| source.path());
+    let rasters = Rasters::new(options.world, rules, layout.georeference.clone());
     let lots: Vec<Lot> = layout
         .regions
         .par_iter()
@@ -97,7 +100,7 @@ pub fn derive(
         .enumerate()
         .filter_map(|(index, (region, start))| {
             let rule = *start.as_ref().ok()?;
-            let outcome = engine::lot(program, layout, index, rule, options, progress);
+            let outcome = engine::lot(program, layout, index, rule, options, &rasters, progress);
             progress.done.fetch_add(1, Ordering::Relaxed);
             Some(Lot { region: index, id: region.id.clone(), outcome })
         })

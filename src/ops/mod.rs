@@ -40,6 +40,7 @@ pub use split::Cut;
 pub use unbuilt::{UNBUILT_FUNCTIONS, UNBUILT_OPERATIONS, Unbuilt};
 
 use crate::element::Catalogue;
+use crate::raster::Rasters;
 use crate::seed::Seed;
 use crate::shape::{Geometry, Shape};
 use crate::value::Value;
@@ -114,6 +115,8 @@ pub struct Given<'a> {
     pub catalogue: &'a Catalogue,
     /// Where models come from.
     pub world: &'a dyn World,
+    /// Coverage maps.
+    pub rasters: &'a Rasters<'a>,
     /// The largest number of children an operation may make.
     pub most: usize,
 }
