@@ -1,10 +1,9 @@
 //! A lot before its first rule: its initial shape, what it sees, and the values of its attributes.
 
-use crate::check::Program;
 use crate::derive::evaluate::{self, Failure};
-use crate::derive::{Options, initial};
+use crate::derive::{Run, initial};
 use crate::functions::{Initial, Surroundings};
-use crate::layout::{Layout, Region};
+use crate::layout::Region;
 use crate::placement::Standing;
 use crate::seed::Seed;
 use crate::shape::{Occluders, Shape};
@@ -31,14 +30,8 @@ pub(super) struct Beginning<'a> {
 
 impl<'a> Beginning<'a> {
     /// The region number `index` with the rule that begins on it; what it sees only where something `looks`.
-    pub fn of(
-        program: &Program,
-        layout: &'a Layout,
-        index: usize,
-        rule: u32,
-        options: &Options,
-        looks: bool,
-    ) -> Beginning<'a> {
+    pub fn of(run: &Run<'a>, index: usize, rule: u32, looks: bool) -> Beginning<'a> {
+        let Run { program, layout, options, .. } = *run;
         let region = &layout.regions[index];
         let start = program.symbols[program.rules[rule as usize].symbol as usize].clone();
         let seed = initial::seed(region, options.seed);
@@ -55,12 +48,8 @@ impl<'a> Beginning<'a> {
 
     /// The values of all attributes: those of the context first, then what the run sets, what the layout says, what
     /// the file says.
-    pub fn attributes(
-        &self,
-        program: &Program,
-        options: &Options,
-        context: &[(usize, Value)],
-    ) -> (Arc<[Value]>, Vec<Failure>) {
+    pub fn attributes(&self, run: &Run, context: &[(usize, Value)]) -> (Arc<[Value]>, Vec<Failure>) {
+        let Run { program, options, .. } = *run;
         let blended = |slot: usize| context.iter().find(|(s, _)| *s == slot).map(|(_, value)| value.clone());
         let set = |slot: usize| options.set.iter().rev().find(|(s, _)| *s == slot).map(|(_, value)| value.clone());
         let said = |slot: usize| {
@@ -79,6 +68,7 @@ impl<'a> Beginning<'a> {
             initial: &self.initial,
             at: None,
             catalogue: options.catalogue,
+            rasters: run.rasters,
         };
         evaluate::attributes(program, given, &mut around, options.limits.calls)
     }

@@ -7,10 +7,9 @@
 //! In: what each lot would have alone. Out: what it has in its context. Computed once for a layout, in parallel.
 
 use crate::check::{Code, Program};
-use crate::derive::Options;
+use crate::derive::Run;
 use crate::derive::beginning::Beginning;
 use crate::geometry::PointGrid;
-use crate::layout::Layout;
 use crate::seed::Seed;
 use crate::value::Value;
 use glam::DVec2;
@@ -31,18 +30,18 @@ struct Own {
 /// The values that each region has from its context; nothing where no attribute asks for one.
 ///
 /// Costs n·k for n lots with k others within the radius.
-pub(super) fn contexts(program: &Program, layout: &Layout, starts: &[Option<u32>], options: &Options) -> Vec<Context> {
-    let attributes = program.attributes.iter().enumerate();
+pub(super) fn contexts(run: &Run, rules: &[Option<u32>]) -> Vec<Context> {
+    let attributes = run.program.attributes.iter().enumerate();
     let asked: Vec<(usize, f64)> = attributes.filter_map(|(slot, a)| Some((slot, a.context?))).collect();
     if asked.is_empty() {
         return Vec::new();
     }
-    let lots = own(program, layout, starts, options);
+    let lots = own(run, rules);
     let centres: Vec<DVec2> = lots.iter().map(|lot| lot.centre).collect();
-    let mut contexts = vec![Context::new(); layout.regions.len()];
+    let mut contexts = vec![Context::new(); run.layout.regions.len()];
     for (slot, radius) in asked {
         let grid = PointGrid::new(&centres, radius.max(1.0));
-        let name = &program.attributes[slot].name;
+        let name = &run.program.attributes[slot].name;
         let blended: Vec<Value> = lots.par_iter().map(|lot| blend(lot, slot, radius, name, &lots, &grid)).collect();
         lots.iter().zip(blended).for_each(|(lot, value)| contexts[lot.region].push((slot, value)));
     }
@@ -50,15 +49,15 @@ pub(super) fn contexts(program: &Program, layout: &Layout, starts: &[Option<u32>
 }
 
 /// Every lot on which a rule begins, as it would be alone.
-fn own(program: &Program, layout: &Layout, starts: &[Option<u32>], options: &Options) -> Vec<Own> {
-    let looks = attributes_look(program);
+fn own(run: &Run, rules: &[Option<u32>]) -> Vec<Own> {
+    let looks = attributes_look(run.program);
     let lot = |(region, rule): (usize, &Option<u32>)| {
-        let beginning = Beginning::of(program, layout, region, (*rule)?, options, looks);
+        let beginning = Beginning::of(run, region, (*rule)?, looks);
         // What fails here fails again when the lot is derived, and is reported then.
-        let (values, _) = beginning.attributes(program, options, &[]);
+        let (values, _) = beginning.attributes(run, &[]);
         Some(Own { region, centre: beginning.region.polygon.centroid(), seed: beginning.seed, values })
     };
-    starts.par_iter().enumerate().filter_map(lot).collect()
+    rules.par_iter().enumerate().filter_map(lot).collect()
 }
 
 fn blend(lot: &Own, slot: usize, radius: f64, name: &str, lots: &[Own], grid: &PointGrid) -> Value {

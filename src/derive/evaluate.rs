@@ -240,5 +240,6 @@ fn reborrow<'s>(around: &'s mut Surroundings<'_>) -> Surroundings<'s> {
         initial: around.initial,
         at: around.at,
         catalogue: around.catalogue,
+        rasters: around.rasters,
     }
 }

@@ -5,6 +5,7 @@
 use crate::derive::evaluate::Names;
 use crate::element::Catalogue;
 use crate::functions::{At, Initial, Surroundings};
+use crate::raster::Rasters;
 use crate::seed::Random;
 use crate::shape::{NodeId, Occluders, Shape};
 
@@ -24,6 +25,8 @@ pub(super) struct Frame<'f> {
     pub initial: &'f Initial,
     /// The element repository.
     pub catalogue: &'f Catalogue,
+    /// Coverage maps.
+    pub rasters: &'f Rasters<'f>,
     /// Each branch's parent.
     pub branches: &'f [NodeId],
     /// The current shape's branch.
@@ -50,6 +53,7 @@ impl Frame<'_> {
             initial: self.initial,
             at: self.at,
             catalogue: self.catalogue,
+            rasters: self.rasters,
         };
         f(&self.names, &mut around)
     }

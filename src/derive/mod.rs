@@ -19,6 +19,7 @@ use crate::check::Program;
 use crate::diag::Diagnostic;
 use crate::element::Catalogue;
 use crate::layout::Layout;
+use crate::raster::Rasters;
 use crate::seed::Seed;
 use crate::shape::{Derivation, Lot};
 use crate::value::Value;
@@ -42,6 +43,16 @@ pub struct Options<'a> {
     pub world: &'a dyn World,
     /// Where a run stops by itself.
     pub limits: Limits,
+}
+
+/// A run as its lots see it.
+#[derive(Clone, Copy)]
+struct Run<'a> {
+    program: &'a Program,
+    layout: &'a Layout,
+    options: &'a Options<'a>,
+    rasters: &'a Rasters<'a>,
+    progress: &'a Progress,
 }
 
 /// Where a derivation stops by itself, per lot.
@@ -94,7 +105,10 @@ pub fn derive(
         layout.regions.iter().map(|region| start_of(program, region, options.start.as_deref())).collect();
     let mut diagnostics = start::report(program, layout, &starts);
     let rules: Vec<Option<u32>> = starts.iter().map(|start| start.as_ref().ok().copied()).collect();
-    let contexts = context::contexts(program, layout, &rules, options);
+    let main = program.sources.first().map_or("", |source| source.path());
+    let rasters = Rasters::new(options.world, main, layout.georeference.clone());
+    let run = Run { program, layout, options, rasters: &rasters, progress };
+    let contexts = context::contexts(&run, &rules);
     let lots: Vec<Lot> = layout
         .regions
         .par_iter()
@@ -102,7 +116,7 @@ pub fn derive(
         .enumerate()
         .filter_map(|(index, (region, rule))| {
             let context = contexts.get(index).map_or(&[][..], Vec::as_slice);
-            let outcome = engine::lot(program, layout, (index, (*rule)?), context, options, progress);
+            let outcome = engine::lot(&run, index, (*rule)?, context);
             progress.done.fetch_add(1, Ordering::Relaxed);
             Some(Lot { region: index, id: region.id.clone(), outcome })
         })

@@ -14,6 +14,7 @@ mod text;
 pub use position::At;
 
 use crate::element::Catalogue;
+use crate::raster::Rasters;
 use crate::seed::Random;
 use crate::shape::{NodeId, Occluders, Shape};
 use crate::value::Value;
@@ -74,6 +75,8 @@ pub struct Surroundings<'a> {
     pub at: Option<&'a At<'a>>,
     /// The element repository.
     pub catalogue: &'a Catalogue,
+    /// Coverage maps.
+    pub rasters: &'a Rasters<'a>,
 }
 
 /// What rules can ask of their initial shape.

@@ -50,6 +50,7 @@ pub use unbuilt::{UNBUILT_FUNCTIONS, UNBUILT_OPERATIONS, Unbuilt};
 use crate::element::Catalogue;
 use crate::geometry::Area;
 use crate::placement::{Field, Standing};
+use crate::raster::Rasters;
 use crate::seed::Seed;
 use crate::shape::{Geometry, Shape};
 use crate::value::Value;
@@ -134,6 +135,8 @@ pub struct Given<'a> {
     pub catalogue: &'a Catalogue,
     /// Where models come from.
     pub world: &'a dyn World,
+    /// Coverage maps.
+    pub rasters: &'a Rasters<'a>,
     /// The largest number of children an operation may make.
     pub most: usize,
 }

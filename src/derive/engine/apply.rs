@@ -61,6 +61,7 @@ impl Engine<'_> {
             inter: &self.inter,
             catalogue: self.options.catalogue,
             world: self.options.world,
+            rasters: self.rasters,
             most: self.options.limits.children,
         };
         let pieces = application.operation.apply(&mut values, &mut current.shape, &given);

@@ -12,12 +12,12 @@ use crate::check::{Body, Program};
 use crate::derive::beginning::Beginning;
 use crate::derive::evaluate::{self, Names};
 use crate::derive::frame::Frame;
-use crate::derive::{Options, Progress};
+use crate::derive::{Options, Progress, Run};
 use crate::diag::{Diagnostic, Span};
 use crate::functions::Initial;
 use crate::geometry::Area;
-use crate::layout::Layout;
 use crate::placement::Standing;
+use crate::raster::Rasters;
 use crate::seed::{Random, Seed};
 use crate::shape::{Node, NodeId, Occluders, Outcome, Scope, Shape};
 use crate::value::Value;
@@ -30,22 +30,17 @@ const CLOCK: usize = 1024;
 /// Arguments of a rule; most have none, and waiting shapes shall be small.
 type Args = Box<[Value]>;
 
-/// Derives one region, with the values that it has from its context.
-pub(super) fn lot(
-    program: &Program,
-    layout: &Layout,
-    (index, rule): (usize, u32),
-    context: &[(usize, Value)],
-    options: &Options,
-    progress: &Progress,
-) -> Outcome {
-    let lot = Beginning::of(program, layout, index, rule, options, program.looks_around);
-    let (attributes, failures) = lot.attributes(program, options, context);
+/// Derives the region number `index` by a rule, with the values that it has from its context.
+pub(super) fn lot(run: &Run, index: usize, rule: u32, context: &[(usize, Value)]) -> Outcome {
+    let Run { program, options, rasters, progress, .. } = *run;
+    let lot = Beginning::of(run, index, rule, program.looks_around);
+    let (attributes, failures) = lot.attributes(run, context);
     let symbol = program.rules[rule as usize].symbol;
     let shape = Box::new(Shape { attributes, ..lot.shape });
     let mut engine = Engine {
         program,
         options,
+        rasters,
         progress,
         initial: lot.initial,
         intra: lot.intra,
@@ -93,6 +88,7 @@ enum Stop {
 struct Engine<'a> {
     program: &'a Program,
     options: &'a Options<'a>,
+    rasters: &'a Rasters<'a>,
     progress: &'a Progress,
     initial: Initial,
     intra: Occluders,
@@ -243,6 +239,7 @@ impl Engine<'_> {
             inter: &self.inter,
             initial: &self.initial,
             catalogue: self.options.catalogue,
+            rasters: self.rasters,
             branches: &self.branches,
             branch: current.branch,
             at: None,
