@@ -4,6 +4,7 @@
 
 use crate::functions::{Function, Surroundings, number, text_at};
 use crate::geometry::Area;
+use crate::raster::Measure;
 use crate::value::Value;
 use glam::DVec2;
 use std::cell::Cell;
@@ -59,6 +60,20 @@ pub(super) static LIST: &[Function] = &[
         },
     )
     .words(AXES)
+    .added(),
+    Function::new(
+        "raster",
+        "(path) | (path, measure)",
+        (1, 2),
+        "In an argument that may vary: the value of a raster there; 0 beyond it and where it has no data.",
+        |args, around| {
+            let word = args.get(1).map_or("cover".into(), ToString::to_string);
+            let measure =
+                Measure::parse(&word).ok_or_else(|| format!("cannot measure `{word}`: a band has a number"))?;
+            let raster = around.rasters.get(text_at(args, 0)?).map_err(|error| error.to_string())?;
+            Ok(Value::Float(raster.at(at(around)?.plan, &measure).unwrap_or(0.0)))
+        },
+    )
     .added(),
 ];
 

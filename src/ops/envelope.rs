@@ -12,6 +12,9 @@ const PAVING: &[&str] = &["driveway", "footway", "street", "kerb", "curb"];
 /// Kinds of markers in front of which nothing stands.
 const OPENINGS: &[&str] = &["door", "window", "entrance", "garage"];
 
+/// Nothing stands on what is kept clear of, even where the distance is 0 (metres).
+const LEAST: f64 = 1e-6;
+
 /// What a rule wants to be kept clear of: `"pond kind:building layer:pipes"`.
 #[derive(Debug, Default)]
 pub struct Avoided<'a> {
@@ -54,7 +57,7 @@ pub fn bodies(near: Bounds, envelope: &Envelope, avoided: &Avoided, margin: f64,
     let kept = found.filter_map(|occluder| {
         let own = usual(occluder, envelope);
         let named = avoided.names(occluder).then_some(margin);
-        let distance = own.into_iter().chain(named).reduce(f64::max)?;
+        let distance = own.into_iter().chain(named).reduce(f64::max)?.max(LEAST);
         Some((body(&occluder.footprint.extent)?, distance))
     });
     kept.collect()
