@@ -59,6 +59,7 @@ pub mod placement;
 pub mod scene;
 pub mod seed;
 pub mod shape;
+pub mod stats;
 pub mod syntax;
 pub mod text;
 pub mod unit;
