@@ -60,6 +60,7 @@ pub mod raster;
 pub mod scene;
 pub mod seed;
 pub mod shape;
+pub mod stats;
 pub mod syntax;
 pub mod text;
 pub mod unit;
