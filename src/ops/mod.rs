@@ -13,6 +13,7 @@ mod align_scope_to_axes;
 mod center;
 mod color;
 mod comp;
+mod coverage;
 mod distr;
 mod extrude;
 mod faces;
@@ -54,6 +55,7 @@ pub static OPERATIONS: &[Operation] = &[
     setback::Setback::OPERATION,
     offset::Offset::OPERATION,
     without::Without::OPERATION,
+    coverage::Coverage::OPERATION,
     scatter::Scatter::OPERATION,
     distr::Distr::OPERATION,
     extrude::Extrude::OPERATION,
