@@ -15,6 +15,7 @@ mod center;
 mod cluster;
 mod color;
 mod comp;
+mod coverage;
 mod distr;
 mod envelope;
 mod extrude;
@@ -64,6 +65,7 @@ pub static OPERATIONS: &[Operation] = &[
     setback::Setback::OPERATION,
     offset::Offset::OPERATION,
     without::Without::OPERATION,
+    coverage::Coverage::OPERATION,
     scatter::Scatter::OPERATION,
     distr::Distr::OPERATION,
     semirandom::SemiRandom::OPERATION,
