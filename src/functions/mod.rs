@@ -8,6 +8,7 @@ mod geometry;
 mod math;
 mod occlusion;
 mod random;
+mod species;
 mod text;
 
 use crate::element::Catalogue;
@@ -95,7 +96,7 @@ pub fn find(name: &str) -> Option<&'static Function> {
 }
 
 static FUNCTIONS: &[&[Function]] =
-    &[math::LIST, random::LIST, text::LIST, geometry::LIST, occlusion::LIST, attributes::LIST];
+    &[math::LIST, random::LIST, text::LIST, geometry::LIST, occlusion::LIST, species::LIST, attributes::LIST];
 
 impl Function {
     const fn new(
