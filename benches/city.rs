@@ -125,8 +125,7 @@ impl City {
             limits: Limits::default(),
         };
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
-        let (derivation, found) =
-            pool.install(|| derive(&self.program, &self.layout, &options, &Progress::default()));
+        let (derivation, found) = pool.install(|| derive(&self.program, &self.layout, &options, &Progress::default()));
         assert!(!found.iter().any(|d| d.is_error()), "{:?}", found.first());
         derivation
     }

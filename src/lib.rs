@@ -56,6 +56,7 @@ pub mod geometry;
 pub mod layout;
 pub mod ops;
 pub mod placement;
+pub mod plant;
 pub mod raster;
 pub mod scene;
 pub mod seed;

@@ -9,6 +9,7 @@ mod math;
 mod occlusion;
 mod position;
 mod random;
+mod species;
 mod text;
 
 pub use position::At;
@@ -102,8 +103,16 @@ pub fn find(name: &str) -> Option<&'static Function> {
     all().find(|f| f.name == name)
 }
 
-static FUNCTIONS: &[&[Function]] =
-    &[math::LIST, random::LIST, text::LIST, geometry::LIST, occlusion::LIST, position::LIST, attributes::LIST];
+static FUNCTIONS: &[&[Function]] = &[
+    math::LIST,
+    random::LIST,
+    text::LIST,
+    geometry::LIST,
+    occlusion::LIST,
+    position::LIST,
+    species::LIST,
+    attributes::LIST,
+];
 
 impl Function {
     const fn new(

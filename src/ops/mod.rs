@@ -26,6 +26,7 @@ mod insert;
 mod instance;
 mod label;
 mod offset;
+mod plant;
 mod points;
 mod primitives;
 mod print;
@@ -75,6 +76,7 @@ pub static OPERATIONS: &[Operation] = &[
     extrude::Extrude::OPERATION,
     insert::Insert::OPERATION,
     instance::Instance::OPERATION,
+    plant::Plant::OPERATION,
     primitives::Quad::OPERATION,
     primitives::Disk::OPERATION,
     primitives::Cube::OPERATION,

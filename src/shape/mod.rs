@@ -10,7 +10,7 @@ mod state;
 
 pub use derivation::{Derivation, LeafOf, Lot, Node, NodeId, Outcome, Print};
 pub use footprint::{Extent, Footprint, on_plan};
-pub use geometry::{Geometry, Placed, Plane};
+pub use geometry::{Geometry, Grown, Placed, Plane};
 pub use measure::Measure;
 pub use occluders::{Occluder, Occluders, Relation};
 pub use scope::{Axis, Frame, Scope};
