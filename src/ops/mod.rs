@@ -10,6 +10,7 @@ mod spec;
 mod unbuilt;
 
 mod align_scope_to_axes;
+mod along;
 mod boundary;
 mod center;
 mod cluster;
@@ -18,6 +19,7 @@ mod comp;
 mod coverage;
 mod distr;
 mod envelope;
+mod equidistant;
 mod extrude;
 mod faces;
 mod fit;
@@ -31,7 +33,9 @@ mod points;
 mod primitives;
 mod print;
 mod r;
+mod regular;
 mod report;
+mod rows;
 mod s;
 mod scatter;
 mod semirandom;
@@ -73,6 +77,11 @@ pub static OPERATIONS: &[Operation] = &[
     boundary::Boundary::OPERATION,
     cluster::Cluster::OPERATION,
     single::Single::OPERATION,
+    equidistant::Equidistant::OPERATION,
+    regular::Regular::OPERATION,
+    along::AlongLines::OPERATION,
+    rows::ParallelRows::OPERATION,
+    rows::Quincunx::OPERATION,
     extrude::Extrude::OPERATION,
     insert::Insert::OPERATION,
     instance::Instance::OPERATION,

@@ -3,6 +3,7 @@
 
 use crate::ops::envelope::{self, Avoided};
 use crate::ops::ground::Ground;
+use crate::ops::spec::Varying;
 use crate::ops::{Given, Pieces, Problem, Remark, Word};
 use crate::placement::{Amount, Field, Placed, PlacementError, Radii, Site, Stop};
 use crate::shape::Shape;
@@ -83,6 +84,16 @@ impl Shared<'_> {
         let radii = Radii { mean, deviation: self.deviation.0, least: self.least.map(|least| least.0) };
         radii.check().map_err(problem)?;
         Ok(radii)
+    }
+
+    /// The same about a mean of half the spacing where a rule gives none.
+    pub fn radii_or(&self, given: &Given, radius: Option<Varying<Metres>>, spacing: &Field) -> Result<Radii, Problem> {
+        match radius {
+            Some(radius) => self.radii(given.field("radius", radius.0.0)),
+            // Whatever is wrong with the spacing is told by the strategy itself, under its own name.
+            None if !(spacing.least() > 0.0 && spacing.most().is_finite()) => Ok(Radii::constant(1.0)),
+            None => self.radii(spacing.scaled(0.5)),
+        }
     }
 
     /// How many plants are wanted.

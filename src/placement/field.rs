@@ -98,6 +98,19 @@ impl Field {
     }
 }
 
+impl Field {
+    /// The same, times a factor.
+    pub fn scaled(&self, factor: f64) -> Field {
+        match self {
+            Field::Constant(value) => Field::Constant(value * factor),
+            Field::Grid(grid) => {
+                let values = grid.values.iter().map(|value| value * factor).collect();
+                Field::Grid(Arc::new(Grid { values, ..Grid::clone(grid) }))
+            }
+        }
+    }
+}
+
 impl From<f64> for Field {
     fn from(value: f64) -> Field {
         Field::Constant(value)
