@@ -3,17 +3,26 @@
 //! In: an area in plane metres, a count or a density, a seed. Out: points inside, in an order that means nothing but
 //! stays the same. Point number `n` of a scatter is the same whatever the count: asking for one more plant moves none.
 
+mod boundary;
+mod cluster;
 mod even;
 mod field;
+mod poisson;
 mod radii;
 mod scatter;
+mod semirandom;
+mod single;
 mod site;
 mod spot;
 
+pub use boundary::boundary;
+pub use cluster::clusters;
 pub use even::{distributed, homogeneous};
 pub use field::{Field, Grid};
 pub use radii::Radii;
 pub use scatter::{Scatter, gaussian, uniform};
+pub use semirandom::semirandom;
+pub use single::single;
 pub use site::{Body, Disk, Site};
 pub use spot::{Amount, Placed, Spot, Stop};
 
@@ -34,6 +43,12 @@ pub enum PlacementError {
     /// A deviation that is negative or no number.
     #[error("a deviation must be a number from 0 up, not {}", crate::text::number(*.0, 6))]
     Deviation(f64),
+    /// A radius with which more than [`MOST_POINTS`] would find a place.
+    #[error("`radius` is so small that about {} points would find a place, more than the limit of {} in one shape", whole(*.estimate), crate::text::thousands(MOST_POINTS))]
+    Crowded {
+        /// About how many points would find a place.
+        estimate: f64,
+    },
     /// A parameter of a strategy is not what it may be.
     #[error("`{parameter}` must be {allowed}, not {}", crate::text::number(*.found, 6))]
     Value {
