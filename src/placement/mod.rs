@@ -5,21 +5,28 @@
 
 mod along;
 mod beside;
+mod boundary;
+mod cluster;
 mod equidistant;
 mod even;
 mod field;
 mod places;
+mod poisson;
 mod radii;
 mod regular;
 mod rows;
 mod scan;
 mod scatter;
+mod semirandom;
+mod single;
 mod site;
 mod spot;
 mod standing;
 mod walk;
 
 pub use along::{Along, Line, along};
+pub use boundary::boundary;
+pub use cluster::clusters;
 pub use equidistant::equidistant;
 pub use even::{distributed, homogeneous};
 pub use field::{Field, Grid};
@@ -27,6 +34,8 @@ pub use radii::Radii;
 pub use regular::{Lattice, regular};
 pub use rows::{Rows, rows};
 pub use scatter::{Scatter, gaussian, uniform};
+pub use semirandom::semirandom;
+pub use single::single;
 pub use site::{Body, Disk, Site};
 pub use spot::{Amount, Placed, Spot, Stop};
 pub use standing::Standing;
@@ -48,6 +57,12 @@ pub enum PlacementError {
     /// A deviation that is negative or no number.
     #[error("a deviation must be a number from 0 up, not {}", crate::text::number(*.0, 6))]
     Deviation(f64),
+    /// A radius with which more than [`MOST_POINTS`] would find a place.
+    #[error("`radius` is so small that about {} points would find a place, more than the limit of {} in one shape", whole(*.estimate), crate::text::thousands(MOST_POINTS))]
+    Crowded {
+        /// About how many points would find a place.
+        estimate: f64,
+    },
     /// A parameter of a strategy is not what it may be.
     #[error("`{parameter}` must be {allowed}, not {}", crate::text::number(*.found, 6))]
     Value {
