@@ -54,13 +54,14 @@ impl Apply for Coverage {
         let mut add = |entry, area: Area| {
             parts.extend(fit::fitted(shape, Geometry::Flat(plane.clone(), area)).map(|shape| Part { entry, shape }));
         };
-        if let Some(choice) = given.chosen[1] {
-            add(choice.entry, geometry::difference(area, &cover));
-        }
+        let rest = geometry::difference(area, &cover);
         match given.chosen[0] {
             Some(choice) if choice.together => add(choice.entry, cover),
             Some(choice) => cover.polygons().iter().for_each(|patch| add(choice.entry, patch.clone().into())),
             None => {}
+        }
+        if let Some(choice) = given.chosen[1] {
+            add(choice.entry, rest);
         }
         let total = parts.len() as u32;
         (0..).zip(&mut parts).for_each(|(index, part)| part.shape.ordinals.comp = (index, total));
