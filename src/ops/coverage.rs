@@ -49,7 +49,9 @@ impl Apply for Coverage {
     fn apply(self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
         let (plane, area, on_plan) = level(shape)?;
         let marked = self.marked(on_plan.bounds(), given)?.transformed(&to_plane(shape, plane));
-        let cover = without_trifles(&geometry::intersection(area, &marked), self.least.max(0.0));
+        let found = without_trifles(&geometry::intersection(area, &marked), self.least.max(0.0));
+        // A gap that was closed may be a hole of the shape's own.
+        let cover = geometry::intersection(area, &found);
         let mut parts = Vec::new();
         let mut add = |entry, area: Area| {
             parts.extend(fit::fitted(shape, Geometry::Flat(plane.clone(), area)).map(|shape| Part { entry, shape }));
