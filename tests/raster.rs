@@ -309,6 +309,29 @@ fn a_projected_raster_lies_right_in_a_layout_in_degrees() {
 }
 
 #[test]
+fn drawn_polygons_lie_where_their_coordinates_are() {
+    // PROJ 9 puts 392000, 5820000 of EPSG:25833 at 13.4082754403, 52.5193953184 degrees.
+    let layout = Georeference::new(Crs::Wgs84, [13.408_275_440_3, 52.519_395_318_4]).unwrap();
+    let square = "[[[392000, 5820000], [392020, 5820000], [392020, 5820010], [392000, 5820010], [392000, 5820000]]]";
+    let file =
+        |crs: &str, rings: &str| format!("{{\"type\": \"Polygon\", \"crs\": \"{crs}\", \"coordinates\": {rings}}}");
+    let degrees = "[[[13.408, 52.519], [13.409, 52.519], [13.409, 52.520], [13.408, 52.519]]]";
+    let world = MemoryWorld::default()
+        .with("grid.geojson", file("EPSG:25833", square))
+        .with("degrees.geojson", file("EPSG:4326", degrees))
+        .with("local.geojson", file("local", square));
+    let rasters = Rasters::new(&world, "main.cga", layout.clone());
+    let has_vertex = |path: &str, place: DVec2| {
+        let area = rasters.drawn(path).unwrap().area(EVERYWHERE);
+        area.polygons().iter().flat_map(Polygon::points).any(|p| p.distance(place) < 0.01)
+    };
+    assert!(has_vertex("grid.geojson", DVec2::ZERO));
+    assert!(has_vertex("degrees.geojson", layout.to_plan([13.409, 52.519])));
+    let refused = rasters.drawn("local.geojson").unwrap_err();
+    assert_eq!(refused.flaw, Flaw::OtherSystem { found: Crs::Local, layout: Crs::Wgs84 });
+}
+
+#[test]
 fn what_says_nothing_is_not_covered() {
     let values = [1.0, 1.0, f32::NAN, -9999.0, 1.0, 0.0f32];
     let tags = Tags { no_data: "-9999", ..Tags::default() };
