@@ -11,6 +11,9 @@
 //! After Criterion's figures a summary follows: both sides run in turn, so that a busy machine slows both, and the
 //! medians and the bytes that stay and that were needed at most are printed. Everything runs on one thread.
 
+#[path = "common/counting.rs"]
+mod counting;
+
 use bosquet::check::{Program, check};
 use bosquet::derive::{Limits, Options, Progress, derive};
 use bosquet::element::Catalogue;
@@ -19,11 +22,10 @@ use bosquet::layout::{Kind, Layout, Region};
 use bosquet::seed::Seed;
 use bosquet::shape::Derivation;
 use bosquet::world::MemoryWorld;
+use counting::counted;
 use criterion::{Criterion, Throughput};
 use glam::DVec2;
-use std::alloc::{GlobalAlloc, Layout as Block, System};
 use std::hint::black_box;
-use std::sync::atomic::{AtomicBool, AtomicIsize, Ordering};
 use std::time::{Duration, Instant};
 
 /// Natural side of a cell, metres; what the rules below write out.
@@ -173,50 +175,5 @@ fn region(polygon: Polygon) -> Region {
         attributes: Default::default(),
         features: Vec::new(),
         neighbours: Vec::new(),
-    }
-}
-
-/// Runs with every byte counted: the result, the bytes it holds, and the most that were held on the way.
-fn counted<T>(run: impl Fn() -> T) -> (T, isize, isize) {
-    LIVE.store(0, Ordering::Relaxed);
-    PEAK.store(0, Ordering::Relaxed);
-    COUNTS.store(true, Ordering::Relaxed);
-    let result = run();
-    COUNTS.store(false, Ordering::Relaxed);
-    (result, LIVE.load(Ordering::Relaxed), PEAK.load(Ordering::Relaxed))
-}
-
-/// The system's allocator, with the bytes asked for counted while [`counted`] runs. (The one place with `unsafe`: an
-/// allocator cannot be written without; the library forbids it.)
-struct Counting;
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
-static COUNTS: AtomicBool = AtomicBool::new(false);
-static LIVE: AtomicIsize = AtomicIsize::new(0);
-static PEAK: AtomicIsize = AtomicIsize::new(0);
-
-fn note(bytes: isize) {
-    if COUNTS.load(Ordering::Relaxed) {
-        let live = LIVE.fetch_add(bytes, Ordering::Relaxed) + bytes;
-        PEAK.fetch_max(live, Ordering::Relaxed);
-    }
-}
-
-// SAFETY: every call goes to the system's allocator unchanged; counting touches no memory of the caller.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, block: Block) -> *mut u8 {
-        note(block.size() as isize);
-        unsafe { System.alloc(block) }
-    }
-
-    unsafe fn dealloc(&self, place: *mut u8, block: Block) {
-        note(-(block.size() as isize));
-        unsafe { System.dealloc(place, block) }
-    }
-
-    unsafe fn realloc(&self, place: *mut u8, block: Block, size: usize) -> *mut u8 {
-        note(size as isize - block.size() as isize);
-        unsafe { System.realloc(place, block, size) }
     }
 }

@@ -9,6 +9,9 @@ use crate::value::Value;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+/// The widest usual context, metres (ξ in Niese et al. 2022, Table 1).
+const WIDEST_CONTEXT: f64 = 300.0;
+
 /// Reads `@Range`, `@Enum` and `@Description` into an attribute.
 pub(super) fn describe(attribute: &mut Attribute, annotations: &[Annotation]) {
     for annotation in annotations {
@@ -98,6 +101,27 @@ impl Checker {
                     .hint("as in `@Zone(lot, residential)`"),
             ),
         }
+    }
+
+    /// `@Context(radius)` of an attribute, metres.
+    pub(super) fn context(&mut self, annotations: &[Annotation]) -> Option<f64> {
+        let annotation = annotations.iter().find(|a| &*a.name.text == "Context")?;
+        let radius = match annotation.args.as_slice() {
+            [arg] => number(&arg.value).filter(|radius| radius.is_finite() && *radius >= 0.0),
+            _ => None,
+        };
+        match radius {
+            None => self.tell(
+                Diagnostic::error("context", annotation.span, "`@Context` takes a radius in metres, from 0 up")
+                    .hint("as in `@Context(180)`"),
+            ),
+            Some(radius) if radius > WIDEST_CONTEXT => {
+                let message = format!("a context of {radius} m is beyond the usual 0 to {WIDEST_CONTEXT}");
+                self.tell(Diagnostic::lint("usual", annotation.span, message));
+            }
+            Some(_) => {}
+        }
+        radius
     }
 
     fn ranges(&mut self) {

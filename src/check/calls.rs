@@ -235,7 +235,19 @@ impl Checker {
             };
             self.tell(Diagnostic::error("arguments", value.span, message).did_you_mean(near));
         }
+        self.usual(param, &code, value.span);
         code
+    }
+
+    /// A number beyond what is usual works, but may be a slip.
+    fn usual(&mut self, param: &Param, code: &Code, span: Span) {
+        let Some(([low, high], number)) = param.usual.zip(code.known().and_then(Value::as_float)) else { return };
+        if (low..=high).contains(&number) || !param.kind.accepts(&Value::Float(number)) {
+            return;
+        }
+        let [low, high, found] = [low, high, number].map(|n| crate::text::number(n, 4));
+        let message = format!("`{}` is {found}, beyond the usual {low} to {high}", param.name);
+        self.tell(Diagnostic::lint("usual", span, message));
     }
 
     /// A bare word where anything may stand: the word itself, or a slip of the pen.

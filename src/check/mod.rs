@@ -132,7 +132,9 @@ impl Checker {
             self.loaded.attributes[slot].kind = kind;
             self.slot_kinds[slot] = kind;
             if let Initial::Item(item) = initial {
-                annotations::describe(&mut self.loaded.attributes[slot], &tree.items[*item].annotations);
+                let annotations = &tree.items[*item].annotations;
+                annotations::describe(&mut self.loaded.attributes[slot], annotations);
+                self.loaded.attributes[slot].context = self.context(annotations);
             }
         }
         self.program.attributes = std::mem::take(&mut self.loaded.attributes);

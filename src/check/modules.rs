@@ -164,6 +164,7 @@ impl Loaded {
             public: function.kind == FunctionKind::Attr,
             initial: Code::Value(crate::value::Value::Float(0.0)),
             kind: Kind::Unknown,
+            context: None,
             description: None,
             range: None,
             choices: Vec::new(),

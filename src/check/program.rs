@@ -79,6 +79,8 @@ pub struct Attribute {
     pub initial: Code,
     /// What it holds, where that can be seen.
     pub kind: Kind,
+    /// `@Context(radius)`: metres within which other lots have a share in its value.
+    pub context: Option<f64>,
     /// `@Description`.
     pub description: Option<Arc<str>>,
     /// `@Range(min, max)`.

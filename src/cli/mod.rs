@@ -11,8 +11,11 @@ mod new;
 mod ops;
 mod outputs;
 mod place;
+mod points;
 mod progress;
 mod show;
+mod statistics;
+mod stats;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -35,6 +38,8 @@ enum Command {
     Ops(ops::Arguments),
     /// Make a starter place that derives
     New(new::Arguments),
+    /// Measure how plants stand, and how far two plantings are from each other
+    Stats(Box<stats::Arguments>),
 }
 
 /// How a command ended.
@@ -55,6 +60,7 @@ pub fn main() -> ExitCode {
         Command::Check(arguments) => check::run(&arguments),
         Command::Ops(arguments) => ops::run(&arguments),
         Command::New(arguments) => new::run(&arguments),
+        Command::Stats(arguments) => stats::run(&arguments),
     };
     match ended {
         Ended::Well => ExitCode::SUCCESS,

@@ -18,6 +18,7 @@ pub(super) struct Failure {
 }
 
 /// What names stand for.
+#[derive(Clone, Copy)]
 pub(super) struct Names<'a> {
     /// The program.
     pub program: &'a Program,
@@ -237,5 +238,8 @@ fn reborrow<'s>(around: &'s mut Surroundings<'_>) -> Surroundings<'s> {
         inter: around.inter,
         is_ancestor: around.is_ancestor,
         initial: around.initial,
+        at: around.at,
+        catalogue: around.catalogue,
+        rasters: around.rasters,
     }
 }

@@ -3,7 +3,9 @@
 //! The engine fills a [`Frame`] in for each expression; evaluation and selectors read it. Nothing here changes a shape.
 
 use crate::derive::evaluate::Names;
-use crate::functions::{Initial, Surroundings};
+use crate::element::Catalogue;
+use crate::functions::{At, Initial, Surroundings};
+use crate::raster::Rasters;
 use crate::seed::Random;
 use crate::shape::{NodeId, Occluders, Shape};
 
@@ -21,10 +23,16 @@ pub(super) struct Frame<'f> {
     pub inter: &'f Occluders,
     /// The initial shape.
     pub initial: &'f Initial,
+    /// The element repository.
+    pub catalogue: &'f Catalogue,
+    /// Coverage maps.
+    pub rasters: &'f Rasters<'f>,
     /// Each branch's parent.
     pub branches: &'f [NodeId],
     /// The current shape's branch.
     pub branch: NodeId,
+    /// The place for which an argument that may vary is evaluated.
+    pub at: Option<&'f At<'f>>,
 }
 
 impl Frame<'_> {
@@ -43,8 +51,16 @@ impl Frame<'_> {
             inter: self.inter,
             is_ancestor: &is_ancestor,
             initial: self.initial,
+            at: self.at,
+            catalogue: self.catalogue,
+            rasters: self.rasters,
         };
         f(&self.names, &mut around)
+    }
+
+    /// The same frame for a shorter time.
+    pub fn reborrow(&mut self) -> Frame<'_> {
+        Frame { names: self.names, random: self.random, ..*self }
     }
 }
 

@@ -6,8 +6,10 @@
 use crate::functions::Initial;
 use crate::geometry::{Area, stroke};
 use crate::layout::{Feature, Kind, Layout, Region, Shapes};
+use crate::placement::{Disk, Standing};
 use crate::seed::Seed;
 use crate::shape::{Extent, Footprint, Frame, Geometry, Occluder, Occluders, Ordinals, Plane, Scope, Shape, Style};
+use crate::value::Value;
 use glam::{DQuat, DVec2, DVec3};
 use std::sync::Arc;
 
@@ -51,13 +53,28 @@ pub(super) fn facts(region: &Region, start: Arc<str>) -> Initial {
 /// The features of the lot, under the word of their kind.
 pub(super) fn intra(layout: &Layout, region: &Region) -> Occluders {
     let mut set = Occluders::new(region.polygon.bounds());
-    for feature in region.features.iter().filter_map(|i| layout.features.get(*i)) {
+    // A street on which rules start is a region and a feature: what a region is itself does not occlude it.
+    let others = region.features.iter().filter_map(|i| layout.features.get(*i)).filter(|f| f.id != region.id);
+    for feature in others {
+        let layer = feature.attributes.get("layer").and_then(Value::as_str);
         for extent in extents(feature) {
-            let label = Some(feature.kind.word().into());
-            set.add(Occluder { label, node: None, footprint: footprint(feature, extent) });
+            let (label, layer) = (Some(feature.kind.word().into()), layer.map(Into::into));
+            set.add(Occluder { label, layer, node: None, footprint: footprint(feature, extent) });
         }
     }
     set
+}
+
+/// The trees that stand in the lot, with their crowns.
+pub(super) fn standing(layout: &Layout, region: &Region) -> Standing {
+    let mut standing = Standing::default();
+    let trees = region.features.iter().filter_map(|i| layout.features.get(*i)).filter(|f| f.kind == Kind::Tree);
+    for tree in trees {
+        if let Shapes::Points(points) = &tree.shapes {
+            points.iter().for_each(|p| standing.add(Disk { position: *p, radius: crown_radius(tree) }));
+        }
+    }
+    standing
 }
 
 /// The neighbours' initial shapes, under the word of their kind.
@@ -67,7 +84,8 @@ pub(super) fn inter(layout: &Layout, region: &Region) -> Occluders {
         let extent = Extent::Area(neighbour.polygon.clone().into());
         let (low, high) = (neighbour.elevation, neighbour.elevation);
         let label = Some(neighbour.kind.word().into());
-        set.add(Occluder { label, node: None, footprint: Footprint { extent, low, high, closed: false } });
+        let layer = neighbour.attributes.get("layer").and_then(Value::as_str).map(Into::into);
+        set.add(Occluder { label, layer, node: None, footprint: Footprint { extent, low, high, closed: false } });
     }
     set
 }

@@ -3,10 +3,13 @@
 //! A lot's derivation needs the program, the lot, its features, its neighbours' outlines and a seed, and nothing
 //! else; so lots are derived in parallel, and threads change nothing. The engine knows no operation by name.
 
+mod beginning;
+mod context;
 mod engine;
 mod evaluate;
 mod frame;
 mod initial;
+mod position;
 mod select;
 mod start;
 
@@ -16,6 +19,7 @@ use crate::check::Program;
 use crate::diag::Diagnostic;
 use crate::element::Catalogue;
 use crate::layout::Layout;
+use crate::raster::Rasters;
 use crate::seed::Seed;
 use crate::shape::{Derivation, Lot};
 use crate::value::Value;
@@ -39,6 +43,16 @@ pub struct Options<'a> {
     pub world: &'a dyn World,
     /// Where a run stops by itself.
     pub limits: Limits,
+}
+
+/// A run as its lots see it.
+#[derive(Clone, Copy)]
+struct Run<'a> {
+    program: &'a Program,
+    layout: &'a Layout,
+    options: &'a Options<'a>,
+    rasters: &'a Rasters<'a>,
+    progress: &'a Progress,
 }
 
 /// Where a derivation stops by itself, per lot.
@@ -90,14 +104,19 @@ pub fn derive(
     let starts: Vec<Result<u32, StartError>> =
         layout.regions.iter().map(|region| start_of(program, region, options.start.as_deref())).collect();
     let mut diagnostics = start::report(program, layout, &starts);
+    let rules: Vec<Option<u32>> = starts.iter().map(|start| start.as_ref().ok().copied()).collect();
+    let main = program.sources.first().map_or("", |source| source.path());
+    let rasters = Rasters::new(options.world, main, layout.georeference.clone());
+    let run = Run { program, layout, options, rasters: &rasters, progress };
+    let contexts = context::contexts(&run, &rules);
     let lots: Vec<Lot> = layout
         .regions
         .par_iter()
-        .zip(&starts)
+        .zip(&rules)
         .enumerate()
-        .filter_map(|(index, (region, start))| {
-            let rule = *start.as_ref().ok()?;
-            let outcome = engine::lot(program, layout, index, rule, options, progress);
+        .filter_map(|(index, (region, rule))| {
+            let context = contexts.get(index).map_or(&[][..], Vec::as_slice);
+            let outcome = engine::lot(&run, index, (*rule)?, context);
             progress.done.fetch_add(1, Ordering::Relaxed);
             Some(Lot { region: index, id: region.id.clone(), outcome })
         })

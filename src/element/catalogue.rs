@@ -2,16 +2,22 @@
 
 use crate::diag::Diagnostic;
 use crate::element::read::read;
-use crate::element::{Cover, Entry, Variant};
+use crate::element::{Cover, Entry, Palette, Variant};
 use crate::text;
 use crate::world::{MemoryWorld, World};
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
 /// The built-in texts, in the order they are read.
-const BUILT_IN: [(&str, &str); 6] = [
+const BUILT_IN: [(&str, &str); 12] = [
     ("trees.toml", include_str!("catalogue/trees.toml")),
+    ("trees-street.toml", include_str!("catalogue/trees-street.toml")),
+    ("trees-warm.toml", include_str!("catalogue/trees-warm.toml")),
+    ("growth.toml", include_str!("catalogue/growth.toml")),
     ("shrubs.toml", include_str!("catalogue/shrubs.toml")),
+    ("shrubs-hedge.toml", include_str!("catalogue/shrubs-hedge.toml")),
+    ("shrubs-flower.toml", include_str!("catalogue/shrubs-flower.toml")),
+    ("palettes.toml", include_str!("catalogue/palettes.toml")),
     ("furniture.toml", include_str!("catalogue/furniture.toml")),
     ("architecture.toml", include_str!("catalogue/architecture.toml")),
     ("primitives.toml", include_str!("catalogue/primitives.toml")),
@@ -23,6 +29,7 @@ const BUILT_IN: [(&str, &str); 6] = [
 pub struct Catalogue {
     entries: Vec<Arc<Entry>>,
     covers: Vec<Cover>,
+    palettes: Vec<Palette>,
     /// Ids to indices of entries.
     ids: BTreeMap<Arc<str>, usize>,
     /// Folded names to indices of entries, those whose category it is first.
@@ -132,6 +139,21 @@ impl Catalogue {
         text::nearest(word, self.covers.iter().map(|cover| &*cover.material.name))
     }
 
+    /// The palette of that name; case, spaces and hyphens do not count.
+    pub fn palette(&self, name: &str) -> Option<&Palette> {
+        self.palettes.iter().find(|palette| *palette.name == *name || fold(&palette.name) == fold(name))
+    }
+
+    /// The palette whose name was likely meant.
+    pub fn nearest_palette(&self, name: &str) -> Option<&str> {
+        text::nearest(name, self.palettes.iter().map(|palette| &*palette.name))
+    }
+
+    /// Every palette, in the order written.
+    pub fn palettes(&self) -> impl Iterator<Item = &Palette> {
+        self.palettes.iter()
+    }
+
     /// Every element, in the order written.
     pub fn entries(&self) -> impl Iterator<Item = &Entry> {
         self.entries.iter().map(|entry| &**entry)
@@ -161,6 +183,24 @@ impl Catalogue {
         }
     }
 
+    /// Adds a palette, or puts it in the place of the one with its name.
+    pub(super) fn put_palette(&mut self, palette: Palette) {
+        match self.palettes.iter_mut().find(|known| known.name == palette.name) {
+            Some(known) => *known = palette,
+            None => self.palettes.push(palette),
+        }
+    }
+
+    /// The entry at a place.
+    pub(super) fn nth(&self, index: usize) -> Option<&Entry> {
+        self.entries.get(index).map(|entry| &**entry)
+    }
+
+    /// Where an entry stands.
+    pub(super) fn place_of(&self, id: &str) -> Option<usize> {
+        self.ids.get(id).copied()
+    }
+
     fn read_built_in() -> (Catalogue, Vec<Diagnostic>) {
         let mut catalogue = Catalogue::default();
         let mut found = Vec::new();
@@ -171,7 +211,8 @@ impl Catalogue {
         (catalogue, found)
     }
 
-    fn index(&mut self) {
+    /// Makes the names anew after entries were put.
+    pub(super) fn index(&mut self) {
         self.entry_names.clear();
         self.cover_names.clear();
         for (index, entry) in self.entries.iter().enumerate() {

@@ -34,6 +34,10 @@
 //! line = "#a06a4c"
 //! line_width = 0.1                    # millimetres on paper
 //! texture = "stipple"                 # plain, stipple, strokes, ripples, hatch, foliage, embroidery, flowers
+//!
+//! [palette.quay]                      # what `plant(palette = quay)` chooses from
+//! label = "Quays"
+//! plants = ["holm oak", "plane", "lavender"]
 //! ```
 
 mod appearance;
@@ -42,6 +46,7 @@ mod color;
 mod entry;
 mod look;
 mod model;
+mod palette;
 mod read;
 mod record;
 mod words;
@@ -51,6 +56,7 @@ pub use catalogue::{Catalogue, Found, NotFound};
 pub use color::{color_text, parse_color};
 pub use entry::{Cover, Entry, Form, Kind, PlantFigures, Variant};
 pub use look::{Material, PlantSymbol, Texture};
+pub use palette::Palette;
 pub use words::Words;
 
 use catalogue::fold;

@@ -1,11 +1,13 @@
 //! Catalogue text → entries and covers, over those that are there already.
 //!
-//! Three tables: `[plant.<id>]`, `[object.<id>]`, `[cover.<word>]`. An id that is known changes the fields that are
-//! written and keeps the others; `types` are changed one by one likewise.
+//! Four tables: `[plant.<id>]`, `[object.<id>]`, `[cover.<word>]`, `[palette.<name>]`. An id that is known changes the
+//! fields that are written and keeps the others; `types` are changed one by one likewise.
 
 use crate::diag::Diagnostic;
 use crate::element::record::{Record, Source};
-use crate::element::{Catalogue, Cover, Entry, Form, Kind, Material, PlantFigures, PlantSymbol, Variant, model};
+use crate::element::{
+    Catalogue, Cover, Entry, Form, Kind, Material, Palette, PlantFigures, PlantSymbol, Variant, model,
+};
 use crate::world::{World, join};
 use std::sync::Arc;
 
@@ -34,6 +36,14 @@ pub(super) fn read(path: &str, bytes: &[u8], world: &dyn World, into: &mut Catal
     }
     for (word, cover) in record.records("cover") {
         read_cover(word, cover, into);
+    }
+    let palettes = record.records("palette");
+    if !palettes.is_empty() {
+        // They name plants of this text too.
+        into.index();
+    }
+    for (name, palette) in palettes {
+        read_palette(name, palette, into);
     }
     record.finish();
     drop(tables);
@@ -241,13 +251,46 @@ fn read_cover(word: Arc<str>, mut record: Record<'_>, into: &mut Catalogue) {
     record.finish();
 }
 
-/// A cover of which nothing is known but its name.
-fn plain(word: Arc<str>) -> Cover {
+/// A palette of what the catalogue has; names that it has not are reported and left out.
+fn read_palette(name: Arc<str>, mut record: Record<'_>, into: &mut Catalogue) {
+    let known = into.palette(&name).filter(|palette| palette.name == name).cloned();
+    let mut palette = known.unwrap_or_else(|| Palette { label: titled(&name), name, plants: Vec::new() });
+    set(&mut palette.label, record.text("label"));
+    if let Some(names) = record.texts("plants") {
+        palette.plants = names.iter().filter_map(|name| plant_place(name, &record, into)).collect();
+    }
+    if palette.plants.is_empty() {
+        record.source().report(record.fail("it needs at least one plant: `plants = [\"plane\", …]`"));
+    } else {
+        into.put_palette(palette);
+    }
+    record.finish();
+}
+
+fn plant_place(name: &str, record: &Record<'_>, catalogue: &Catalogue) -> Option<usize> {
+    let report = |message: String, near: Option<&str>| {
+        record.source().report(record.fail(message).did_you_mean(near));
+    };
+    match catalogue.find(name, "") {
+        Ok(found) if found.entry.kind.is_plant() => return catalogue.place_of(&found.entry.id),
+        Ok(_) => report(format!("`{name}` is no plant"), None),
+        Err(error) => report(error.to_string(), error.suggestion()),
+    }
+    None
+}
+
+/// A word as a label: `crushed_tile` is `Crushed tile`.
+fn titled(word: &str) -> Arc<str> {
     let mut letters = word.chars();
     let label: String = letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect();
+    label.replace(['-', '_'], " ").into()
+}
+
+/// A cover of which nothing is known but its name.
+fn plain(word: Arc<str>) -> Cover {
     let material = Material {
+        label: titled(&word),
         name: word,
-        label: label.replace(['-', '_'], " ").into(),
         fill: [0.92, 0.9, 0.85, 1.0],
         line: [0.54, 0.51, 0.46, 1.0],
         line_width: 0.13,

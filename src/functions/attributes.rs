@@ -79,6 +79,34 @@ pub(super) static LIST: &[Function] = &[
     })
     .text()
     .settable(),
+    attribute!("envelope.walls", "How far plants keep from buildings, metres; negative looks away.", |a| {
+        Value::Float(a.shape.style.envelope.walls)
+    })
+    .settable()
+    .added(),
+    attribute!("envelope.paving", "How far plants keep from drives, kerbs, footways and streets, metres.", |a| {
+        Value::Float(a.shape.style.envelope.paving)
+    })
+    .settable()
+    .added(),
+    attribute!(
+        "envelope.openings",
+        "How far plants keep from doors and windows beyond `envelope.walls`, metres.",
+        |a| { Value::Float(a.shape.style.envelope.openings) }
+    )
+    .settable()
+    .added(),
+    attribute!("envelope.water", "How far plants keep from water, metres.", |a| {
+        Value::Float(a.shape.style.envelope.water)
+    })
+    .settable()
+    .added(),
+    attribute!("envelope.seams", "Whether the disks of plants stay inside their own lot.", |a| {
+        Value::Bool(a.shape.style.envelope.seams)
+    })
+    .truth()
+    .settable()
+    .added(),
     attribute!("label.name", "The last label, empty where there is none.", |a| {
         Value::Text(a.shape.style.label.clone().unwrap_or_default())
     })

@@ -7,9 +7,15 @@ mod attributes;
 mod geometry;
 mod math;
 mod occlusion;
+mod position;
 mod random;
+mod species;
 mod text;
 
+pub use position::At;
+
+use crate::element::Catalogue;
+use crate::raster::Rasters;
 use crate::seed::Random;
 use crate::shape::{NodeId, Occluders, Shape};
 use crate::value::Value;
@@ -66,6 +72,12 @@ pub struct Surroundings<'a> {
     pub is_ancestor: &'a dyn Fn(NodeId) -> bool,
     /// The initial shape.
     pub initial: &'a Initial,
+    /// The place for which an argument that may vary is evaluated.
+    pub at: Option<&'a At<'a>>,
+    /// The element repository.
+    pub catalogue: &'a Catalogue,
+    /// Coverage maps.
+    pub rasters: &'a Rasters<'a>,
 }
 
 /// What rules can ask of their initial shape.
@@ -91,8 +103,16 @@ pub fn find(name: &str) -> Option<&'static Function> {
     all().find(|f| f.name == name)
 }
 
-static FUNCTIONS: &[&[Function]] =
-    &[math::LIST, random::LIST, text::LIST, geometry::LIST, occlusion::LIST, attributes::LIST];
+static FUNCTIONS: &[&[Function]] = &[
+    math::LIST,
+    random::LIST,
+    text::LIST,
+    geometry::LIST,
+    occlusion::LIST,
+    position::LIST,
+    species::LIST,
+    attributes::LIST,
+];
 
 impl Function {
     const fn new(

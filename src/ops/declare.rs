@@ -14,12 +14,13 @@
 /// }
 /// ```
 ///
-/// Behind a default stands how the manual writes it. `impl Apply for Extrude` follows by hand.
+/// Behind a default stands how the manual writes it; `[1.0, 10.0]` behind a type is the usual range. `impl Apply for Extrude` follows by hand.
 macro_rules! operation {
     (
         $(#[doc = $doc:literal])*
         $name:literal $(| $alias:literal)* ($origin:ident, $block:expr) => pub struct $type:ident {
-            $( $(#[doc = $pdoc:literal])* $field:ident : $ptype:ty $(= $default:expr => $text:literal)? ),* $(,)?
+            $( $(#[doc = $pdoc:literal])* $field:ident : $ptype:ty $([$low:literal, $high:literal])?
+               $(= $default:expr => $text:literal)? ),* $(,)?
         }
     ) => {
         $(#[doc = $doc])*
@@ -37,6 +38,7 @@ macro_rules! operation {
                     docs: concat!($($pdoc, "\n"),*),
                     kind: <$ptype as $crate::ops::Parameter>::KIND,
                     default: $crate::ops::declare::operation!(@text $($text)?),
+                    usual: $crate::ops::declare::operation!(@usual $($low, $high)?),
                 } ),*],
                 block: { use $crate::ops::BlockKind::*; $block },
                 origin: $crate::ops::Origin::$origin,
@@ -55,6 +57,8 @@ macro_rules! operation {
             }
         }
     };
+    (@usual) => { None };
+    (@usual $low:literal, $high:literal) => { Some([$low, $high]) };
     (@text) => { None };
     (@text $text:literal) => { Some($text) };
     (@decode $field:ident, $ptype:ty, $value:ident) => {

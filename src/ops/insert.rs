@@ -96,7 +96,16 @@ pub(super) fn place(shape: &mut Shape, found: &Found, appearance: u32, own: DVec
         appearance,
         age: plant.map_or(0.0, |figures| figures.age),
         round: plant.is_some(),
+        grown: None,
     }));
+}
+
+/// Puts a plant of its own size about the middle of the shape's scope.
+pub(super) fn stand(shape: &mut Shape, size: DVec3, placed: Placed) {
+    let corner = (shape.scope.size - size) * 0.5;
+    shape.scope.frame = shape.scope.frame.moved(DVec3::new(corner.x, 0.0, corner.z));
+    shape.scope.size = size;
+    shape.geometry = Geometry::Element(Arc::new(placed));
 }
 
 /// The size in a scope: zeros are filled in (CityEngine's rules for `i`).

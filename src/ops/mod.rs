@@ -10,36 +10,53 @@ mod spec;
 mod unbuilt;
 
 mod align_scope_to_axes;
+mod along;
+mod boundary;
 mod center;
+mod cluster;
 mod color;
 mod comp;
+mod coverage;
 mod distr;
+mod envelope;
+mod equidistant;
 mod extrude;
 mod faces;
 mod fit;
+mod ground;
 mod insert;
 mod instance;
 mod label;
 mod offset;
+mod plant;
 mod points;
 mod primitives;
 mod print;
 mod r;
+mod regular;
 mod report;
+mod rows;
 mod s;
 mod scatter;
+mod semirandom;
 mod set;
 mod setback;
+mod single;
 mod split;
+mod strategy;
 mod t;
 mod without;
 
 pub use faces::{Component, Selectors};
+pub use ground::Ground;
 pub use spec::{AttributeName, BlockKind, Origin, Param, ParamKind, Parameter, Spec, Word};
 pub use split::Cut;
 pub use unbuilt::{UNBUILT_FUNCTIONS, UNBUILT_OPERATIONS, Unbuilt};
 
 use crate::element::Catalogue;
+use crate::geometry::Area;
+use crate::placement::{Field, Standing};
+use crate::raster::Rasters;
 use crate::seed::Seed;
 use crate::shape::{Geometry, Shape};
 use crate::value::Value;
@@ -53,11 +70,22 @@ pub static OPERATIONS: &[Operation] = &[
     setback::Setback::OPERATION,
     offset::Offset::OPERATION,
     without::Without::OPERATION,
+    coverage::Coverage::OPERATION,
     scatter::Scatter::OPERATION,
     distr::Distr::OPERATION,
+    semirandom::SemiRandom::OPERATION,
+    boundary::Boundary::OPERATION,
+    cluster::Cluster::OPERATION,
+    single::Single::OPERATION,
+    equidistant::Equidistant::OPERATION,
+    regular::Regular::OPERATION,
+    along::AlongLines::OPERATION,
+    rows::ParallelRows::OPERATION,
+    rows::Quincunx::OPERATION,
     extrude::Extrude::OPERATION,
     insert::Insert::OPERATION,
     instance::Instance::OPERATION,
+    plant::Plant::OPERATION,
     primitives::Quad::OPERATION,
     primitives::Disk::OPERATION,
     primitives::Cube::OPERATION,
@@ -106,6 +134,12 @@ pub struct Given<'a> {
     pub run: Seed,
     /// The size of the scope that the shape's parent had when the rule began: what `center` centres in.
     pub around: &'a crate::shape::Scope,
+    /// Arguments that vary over the shape, by parameter.
+    pub fields: &'a [(&'static str, Field)],
+    /// The lot's outline on the plan.
+    pub outline: &'a Area,
+    /// The radii that are reserved in the lot so far.
+    pub standing: &'a Standing,
     /// The earlier shapes and the features of the lot.
     pub intra: &'a crate::shape::Occluders,
     /// The initial shapes of the neighbours.
@@ -114,6 +148,8 @@ pub struct Given<'a> {
     pub catalogue: &'a Catalogue,
     /// Where models come from.
     pub world: &'a dyn World,
+    /// Coverage maps.
+    pub rasters: &'a Rasters<'a>,
     /// The largest number of children an operation may make.
     pub most: usize,
 }
@@ -139,6 +175,17 @@ pub enum Pieces {
     Parts(Vec<Part>),
     /// The same, beside the shape: points set on a lawn leave the lawn.
     Beside(Vec<Part>),
+    /// The same, and something is to be known about them.
+    Placed(Vec<Part>, Vec<Remark>),
+}
+
+/// What was done, but hardly as meant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Remark {
+    /// What was found.
+    pub message: String,
+    /// The argument that it is about.
+    pub parameter: Option<&'static str>,
 }
 
 /// One successor.
@@ -188,6 +235,14 @@ pub trait Apply {
 pub trait Decode: Sized {
     /// Takes the values out of the slots, in the order of the parameters.
     fn decode(values: &mut [Option<Value>]) -> Result<Self, Problem>;
+}
+
+impl Given<'_> {
+    /// An argument as it varies over the shape, or as the number it is.
+    pub fn field(&self, parameter: &'static str, value: f64) -> Field {
+        let found = self.fields.iter().find(|(name, _)| *name == parameter);
+        found.map_or(Field::Constant(value), |(_, field)| field.clone())
+    }
 }
 
 impl Pieces {

@@ -45,6 +45,11 @@ fn built_in(shape: &mut Shape, name: &str, value: &Value) -> Result<(), Problem>
     let style = Arc::make_mut(&mut shape.style);
     match name {
         "material.name" => style.material = Some(value.to_string().into()),
+        "envelope.walls" => style.envelope.walls = number()?,
+        "envelope.paving" => style.envelope.paving = number()?,
+        "envelope.openings" => style.envelope.openings = number()?,
+        "envelope.water" => style.envelope.water = number()?,
+        "envelope.seams" => style.envelope.seams = truth(name, value)?,
         "material.color.rgb" => style.color = Some(super::color::parse(&value.to_string())?),
         _ => {
             let channel = ["material.color.r", "material.color.g", "material.color.b", "material.opacity"];
@@ -55,4 +60,8 @@ fn built_in(shape: &mut Shape, name: &str, value: &Value) -> Result<(), Problem>
         }
     }
     Ok(())
+}
+
+fn truth(name: &str, value: &Value) -> Result<bool, Problem> {
+    value.as_bool().ok_or_else(|| Problem::new(format!("`{name}` takes `true` or `false`, found `{value}`")))
 }

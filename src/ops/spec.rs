@@ -31,6 +31,8 @@ pub struct Param {
     pub kind: ParamKind,
     /// The default as text; `None` where it must be given.
     pub default: Option<&'static str>,
+    /// What is usual: numbers outside are allowed, with a lint.
+    pub usual: Option<[f64; 2]>,
 }
 
 /// What a parameter takes.
@@ -62,6 +64,8 @@ pub enum ParamKind {
     Attribute,
     /// Anything.
     Any,
+    /// What the kind inside takes, also an expression of the position: it may vary over the shape.
+    Varying(&'static ParamKind),
 }
 
 /// What follows an operation's parentheses.
@@ -106,6 +110,7 @@ impl ParamKind {
             }
             ParamKind::Attribute => "the name of an attribute".into(),
             ParamKind::Any => "any value".into(),
+            ParamKind::Varying(inner) => format!("{}; it may vary over the shape", inner.words()),
         }
     }
 
@@ -118,6 +123,7 @@ impl ParamKind {
     pub fn accepts(self, value: &Value) -> bool {
         match (self, value) {
             (ParamKind::Any, _) => true,
+            (ParamKind::Varying(inner), value) => inner.accepts(value),
             (ParamKind::Number | ParamKind::Metres | ParamKind::Degrees, Value::Float(_)) => true,
             (ParamKind::Share | ParamKind::PerArea, Value::Float(number)) => *number >= 0.0,
             (ParamKind::Count, Value::Float(number)) => *number >= 0.0,
@@ -182,6 +188,25 @@ impl Parameter for Value {
     const KIND: ParamKind = ParamKind::Any;
     fn from_value(value: &Value) -> Option<Self> {
         Some(value.clone())
+    }
+}
+
+/// What may be left out, without a default of its own.
+impl<T: Parameter> Parameter for Option<T> {
+    const KIND: ParamKind = T::KIND;
+    fn from_value(value: &Value) -> Option<Self> {
+        T::from_value(value).map(Some)
+    }
+}
+
+/// A number that may vary over the shape; this is its value where it does not ([`crate::ops::Given::field`]).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Varying<T>(pub T);
+
+impl<T: Parameter> Parameter for Varying<T> {
+    const KIND: ParamKind = ParamKind::Varying(&T::KIND);
+    fn from_value(value: &Value) -> Option<Self> {
+        T::from_value(value).map(Varying)
     }
 }
 

@@ -50,6 +50,11 @@ impl Grid {
         low * (1.0 - fy) + high * fy
     }
 
+    /// The mean of its nodes.
+    pub fn mean(&self) -> f64 {
+        self.values.iter().sum::<f64>() / self.values.len() as f64
+    }
+
     /// A place in steps of the grid, held within it.
     fn cell_of(&self, p: DVec2) -> DVec2 {
         let last = DVec2::new((self.columns - 1) as f64, (self.rows - 1) as f64);
@@ -89,6 +94,19 @@ impl Field {
         match self {
             Field::Constant(value) => *value,
             Field::Grid(grid) => grid.extremes().1,
+        }
+    }
+}
+
+impl Field {
+    /// The same, times a factor.
+    pub fn scaled(&self, factor: f64) -> Field {
+        match self {
+            Field::Constant(value) => Field::Constant(value * factor),
+            Field::Grid(grid) => {
+                let values = grid.values.iter().map(|value| value * factor).collect();
+                Field::Grid(Arc::new(Grid { values, ..Grid::clone(grid) }))
+            }
         }
     }
 }

@@ -9,6 +9,7 @@ mod radii;
 mod scatter;
 mod site;
 mod spot;
+mod standing;
 
 pub use even::{distributed, homogeneous};
 pub use field::{Field, Grid};
@@ -16,6 +17,7 @@ pub use radii::Radii;
 pub use scatter::{Scatter, gaussian, uniform};
 pub use site::{Body, Disk, Site};
 pub use spot::{Amount, Placed, Spot, Stop};
+pub use standing::Standing;
 
 use crate::geometry::Area;
 
@@ -46,6 +48,16 @@ pub enum PlacementError {
     },
 }
 
+impl PlacementError {
+    /// The parameter that it is about.
+    pub fn parameter(&self) -> Option<&'static str> {
+        match self {
+            PlacementError::Value { parameter, .. } => Some(parameter),
+            _ => None,
+        }
+    }
+}
+
 /// How many points a density (per m²) means in an area: rounded to the nearest.
 pub fn count_at(area: &Area, per_area: f64) -> Result<usize, PlacementError> {
     if !per_area.is_finite() || per_area < 0.0 {
@@ -64,3 +76,51 @@ fn whole(count: f64) -> String {
     // Saturates: what matters is that it is far too many.
     crate::text::thousands(count as usize)
 }
+
+// STUBS until the strategies are merged.
+pub fn semirandom(site: &Site, radii: &Radii, amount: &Amount, seed: Seed) -> Result<Placed, PlacementError> {
+    let _ = amount;
+    let mut spots: Vec<Spot> = Vec::new();
+    let b = site.bounds();
+    let mut r = seed.random();
+    for _ in 0..4000 {
+        let p = glam::DVec2::new(r.uniform(b.min.x, b.max.x), r.uniform(b.min.y, b.max.y));
+        let q = radii.draw(p, &mut r);
+        if site.allows(p, q) && spots.iter().all(|s| s.position.distance(p) >= s.radius + q) {
+            spots.push(Spot { position: p, radius: q, direction: glam::DVec2::X, cluster: 0 });
+        }
+    }
+    amount.thin(&mut spots, seed);
+    Ok(Placed { spots, missing: 0 })
+}
+pub fn boundary(
+    site: &Site,
+    rim: &Area,
+    width: f64,
+    radii: &Radii,
+    amount: &Amount,
+    seed: Seed,
+) -> Result<Placed, PlacementError> {
+    let mut p = semirandom(site, radii, amount, seed)?;
+    p.spots.retain(|s| rim.distance_to_edges(s.position) <= width);
+    Ok(p)
+}
+pub fn clusters(
+    site: &Site,
+    _r: f64,
+    _c: [usize; 2],
+    radii: &Radii,
+    amount: &Amount,
+    seed: Seed,
+) -> Result<Placed, PlacementError> {
+    semirandom(site, radii, amount, seed)
+}
+pub fn single(site: &Site, radii: &Radii, amount: &Amount, seed: Seed) -> Result<Placed, PlacementError> {
+    semirandom(site, radii, amount, seed)
+}
+/// A line to place on.
+pub struct Line {
+    pub points: Vec<glam::DVec2>,
+    pub closed: bool,
+}
+use crate::seed::Seed;

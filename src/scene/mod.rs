@@ -143,6 +143,16 @@ pub struct Plant {
     pub age: f64,
     /// Metres.
     pub height: f64,
+    /// Diameter of the trunk at breast height, metres.
+    pub trunk_diameter: f64,
+    /// From the lowest leaves to the top, metres; 0 where unknown.
+    pub crown_height: f64,
+    /// One side of all leaves, m²; 0 where unknown.
+    pub leaf_area: f64,
+    /// What pruning left of the crown's volume, 0 to 1: 1 is unpruned.
+    pub pruning: f64,
+    /// Its sizes follow curves fitted to measured trees, at its age.
+    pub measured: bool,
     /// The seed of its shape: growth starts from it.
     pub seed: u64,
     /// Planted and cared for, not wild.

@@ -9,7 +9,7 @@ use crate::element::{Catalogue, Entry, Material, PlantFigures, Texture};
 use crate::geometry::{self, Area};
 use crate::layout::{Feature, Kind, Layout, Shapes};
 use crate::scene::{Cover, Line, LotOutline, Object, Origin, Plant, Report, Scene, Solid};
-use crate::shape::{Derivation, Extent, Geometry, LeafOf, Lot, Placed, Shape, on_plan};
+use crate::shape::{Derivation, Extent, Geometry, Grown, LeafOf, Lot, Placed, Shape, on_plan};
 use crate::value::Value;
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
@@ -282,6 +282,14 @@ fn plant(shape: &Shape, placed: &Placed, entry: &Entry, figures: PlantFigures, o
     let crown_radius = size.x.max(size.z) * 0.5;
     // A larger or smaller appearance keeps as much more or less clear.
     let scale = if figures.crown_radius > 0.0 { crown_radius / figures.crown_radius } else { 1.0 };
+    let reserved = shape.ordinals.place.radius;
+    let grown = placed.grown.unwrap_or(Grown {
+        trunk_diameter: figures.trunk_diameter * scale,
+        crown_height: 0.0,
+        leaf_area: 0.0,
+        pruning: 1.0,
+        measured: false,
+    });
     Plant {
         origin,
         position: on_plan(foot),
@@ -294,10 +302,15 @@ fn plant(shape: &Shape, placed: &Placed, entry: &Entry, figures: PlantFigures, o
         species: entry.species.clone(),
         common_name: entry.common_name.clone(),
         code: entry.code.clone(),
-        spacing_radius: figures.spacing_radius * scale,
+        spacing_radius: if reserved > 0.0 { reserved } else { figures.spacing_radius * scale },
         crown_radius,
         age: placed.age,
         height: size.y,
+        trunk_diameter: grown.trunk_diameter,
+        crown_height: grown.crown_height,
+        leaf_area: grown.leaf_area,
+        pruning: grown.pruning,
+        measured: grown.measured,
         seed: shape.seed.0,
         managed: true,
         existing: false,
@@ -363,6 +376,11 @@ fn standing(catalogue: &Catalogue, feature: &Feature, at: DVec2, origin: Origin)
         crown_radius,
         age: number("age").unwrap_or(figures.age),
         height: height.unwrap_or(figures.height),
+        trunk_diameter: number("trunk_diameter").unwrap_or(figures.trunk_diameter),
+        crown_height: number("crown_height").unwrap_or(0.0),
+        leaf_area: number("leaf_area").unwrap_or(0.0),
+        pruning: number("pruning").map_or(1.0, |share| share.min(1.0)),
+        measured: false,
         seed: crate::seed::Seed(0).named(&origin.id).0,
         managed: true,
         existing: true,

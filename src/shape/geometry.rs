@@ -49,6 +49,23 @@ pub struct Placed {
     pub age: f64,
     /// It is a plant: round on the plan.
     pub round: bool,
+    /// What growth says of it; none where the type's own figures hold. Its height and crown are the scope's.
+    pub grown: Option<Grown>,
+}
+
+/// What is known of a plant of some age beside its height and crown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grown {
+    /// Diameter of the trunk at breast height, metres.
+    pub trunk_diameter: f64,
+    /// From the lowest leaves to the top, metres.
+    pub crown_height: f64,
+    /// One side of all leaves, m²; 0 where unknown.
+    pub leaf_area: f64,
+    /// What pruning left of the crown's volume, 0 to 1 (γ).
+    pub pruning: f64,
+    /// Its sizes follow curves fitted to measured trees.
+    pub measured: bool,
 }
 
 impl Plane {

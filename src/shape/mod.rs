@@ -10,8 +10,8 @@ mod state;
 
 pub use derivation::{Derivation, LeafOf, Lot, Node, NodeId, Outcome, Print};
 pub use footprint::{Extent, Footprint, on_plan};
-pub use geometry::{Geometry, Placed, Plane};
+pub use geometry::{Geometry, Grown, Placed, Plane};
 pub use measure::Measure;
 pub use occluders::{Occluder, Occluders, Relation};
 pub use scope::{Axis, Frame, Scope};
-pub use state::{Ordinals, Place, Shape, Style};
+pub use state::{Envelope, Ordinals, Place, Shape, Style};

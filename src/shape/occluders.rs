@@ -29,6 +29,8 @@ pub enum Relation {
 pub struct Occluder {
     /// The name it is found by; unlabelled ones are found when they are closed.
     pub label: Option<Arc<str>>,
+    /// The layer a feature belongs to, where it says so.
+    pub layer: Option<Arc<str>>,
     /// The branch of the derivation it stands on; none for features and neighbours.
     pub node: Option<NodeId>,
     /// Its plan and heights.
@@ -105,7 +107,8 @@ impl Occluders {
         self.items.iter().any(|(_, occluder)| occluder.answers_to(Some(label)))
     }
 
-    fn near(&self, bounds: Bounds) -> impl Iterator<Item = &Occluder> {
+    /// What may touch a rectangle, in the order it came.
+    pub fn near(&self, bounds: Bounds) -> impl Iterator<Item = &Occluder> {
         let (low, high) = (self.cell_of(bounds.min), self.cell_of(bounds.max));
         let mut found: Vec<u32> = if cells(low, high) > MOST_CELLS {
             (0..self.items.len() as u32).collect()

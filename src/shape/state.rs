@@ -34,6 +34,29 @@ pub struct Style {
     pub label: Option<Arc<str>>,
     /// How the initial shape was turned: what `object.front` means.
     pub object: DQuat,
+    /// What plants keep clear of.
+    pub envelope: Envelope,
+}
+
+/// How far plants keep away from what stands (Niese et al. 2022, §4, §5.2), metres. A negative distance looks away.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Envelope {
+    /// `envelope.walls`: from buildings.
+    pub walls: f64,
+    /// `envelope.paving`: from drives, kerbs, footways and streets.
+    pub paving: f64,
+    /// `envelope.openings`: in front of doors and windows, beyond the distance from walls.
+    pub openings: f64,
+    /// `envelope.water`: from water.
+    pub water: f64,
+    /// `envelope.seams`: disks stay inside their own lot.
+    pub seams: bool,
+}
+
+impl Default for Envelope {
+    fn default() -> Envelope {
+        Envelope { walls: 6.0, paving: 1.5, openings: 3.0, water: 0.0, seams: false }
+    }
 }
 
 /// The last index and total that a split and a component split gave.

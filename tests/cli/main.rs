@@ -13,4 +13,5 @@ mod manual;
 mod models;
 mod outputs;
 mod sandbox;
+mod stats;
 mod versailles;

@@ -1,0 +1,75 @@
+//! A lot before its first rule: its initial shape, what it sees, and the values of its attributes.
+
+use crate::derive::evaluate::{self, Failure};
+use crate::derive::{Run, initial};
+use crate::functions::{Initial, Surroundings};
+use crate::layout::Region;
+use crate::placement::Standing;
+use crate::seed::Seed;
+use crate::shape::{Occluders, Shape};
+use crate::value::Value;
+use std::sync::Arc;
+
+/// What a lot's derivation begins with.
+pub(super) struct Beginning<'a> {
+    /// The region.
+    pub region: &'a Region,
+    /// Its seed.
+    pub seed: Seed,
+    /// Its shape, without attributes.
+    pub shape: Shape,
+    /// What rules can ask of it.
+    pub initial: Initial,
+    /// The features of the lot.
+    pub intra: Occluders,
+    /// The initial shapes of the neighbours.
+    pub inter: Occluders,
+    /// The trees that stand in it.
+    pub standing: Standing,
+}
+
+impl<'a> Beginning<'a> {
+    /// The region number `index` with the rule that begins on it; what it sees only where something `looks`.
+    pub fn of(run: &Run<'a>, index: usize, rule: u32, looks: bool) -> Beginning<'a> {
+        let Run { program, layout, options, .. } = *run;
+        let region = &layout.regions[index];
+        let start = program.symbols[program.rules[rule as usize].symbol as usize].clone();
+        let seed = initial::seed(region, options.seed);
+        Beginning {
+            region,
+            seed,
+            shape: initial::shape(region, seed),
+            initial: initial::facts(region, start),
+            intra: if looks { initial::intra(layout, region) } else { Occluders::default() },
+            inter: if looks { initial::inter(layout, region) } else { Occluders::default() },
+            standing: if looks { initial::standing(layout, region) } else { Standing::default() },
+        }
+    }
+
+    /// The values of all attributes: those of the context first, then what the run sets, what the layout says, what
+    /// the file says.
+    pub fn attributes(&self, run: &Run, context: &[(usize, Value)]) -> (Arc<[Value]>, Vec<Failure>) {
+        let Run { program, options, .. } = *run;
+        let blended = |slot: usize| context.iter().find(|(s, _)| *s == slot).map(|(_, value)| value.clone());
+        let set = |slot: usize| options.set.iter().rev().find(|(s, _)| *s == slot).map(|(_, value)| value.clone());
+        let said = |slot: usize| {
+            let attribute = &program.attributes[slot];
+            let mut names = attribute.names().filter(|_| attribute.public);
+            names.find_map(|name| self.region.attributes.get(name)).cloned()
+        };
+        let given = |slot: usize| blended(slot).or_else(|| set(slot)).or_else(|| said(slot));
+        let mut random = self.shape.seed.random();
+        let mut around = Surroundings {
+            shape: &self.shape,
+            random: &mut random,
+            intra: &self.intra,
+            inter: &self.inter,
+            is_ancestor: &|_| false,
+            initial: &self.initial,
+            at: None,
+            catalogue: options.catalogue,
+            rasters: run.rasters,
+        };
+        evaluate::attributes(program, given, &mut around, options.limits.calls)
+    }
+}

@@ -1,0 +1,87 @@
+//! The disks that stand in a lot: a set that grows as operations place, and is asked by later ones.
+
+use crate::geometry::Bounds;
+use crate::placement::Disk;
+use glam::DVec2;
+use std::cell::{Cell, RefCell};
+use std::collections::HashMap;
+
+/// Metres across a cell: about the spacing of street trees.
+const CELL: f64 = 8.0;
+
+/// A growing set of disks.
+///
+/// Adding is cheap; the first question after it sorts what came into cells. A question costs the disks of the cells
+/// it touches.
+#[derive(Debug, Default)]
+pub struct Standing {
+    disks: Vec<Disk>,
+    largest: f64,
+    // Looked up by cell only, never walked: its order cannot show.
+    cells: RefCell<HashMap<(i64, i64), Vec<u32>>>,
+    sorted: Cell<usize>,
+}
+
+impl Standing {
+    /// Takes one more in; what has no radius takes no place.
+    pub fn add(&mut self, disk: Disk) {
+        if disk.position.is_finite() && disk.radius.is_finite() && disk.radius > 0.0 {
+            self.largest = self.largest.max(disk.radius);
+            self.disks.push(disk);
+        }
+    }
+
+    /// The disks that may reach into a rectangle, in the order they came.
+    pub fn near(&self, bounds: Bounds) -> Vec<Disk> {
+        self.sort();
+        let reach = bounds.grown(self.largest);
+        let (low, high) = (cell_of(reach.min), cell_of(reach.max));
+        let wide = (high.0 - low.0 + 1).saturating_mul(high.1 - low.1 + 1) > self.disks.len() as i64;
+        let mut found: Vec<u32> = if wide {
+            (0..self.disks.len() as u32).collect()
+        } else {
+            let cells = self.cells.borrow();
+            let keys = (low.0..=high.0).flat_map(|x| (low.1..=high.1).map(move |y| (x, y)));
+            keys.filter_map(|key| cells.get(&key)).flatten().copied().collect()
+        };
+        found.sort_unstable();
+        let disks = found.into_iter().map(|index| self.disks[index as usize]);
+        disks.filter(|disk| bounds.grown(disk.radius).contains(disk.position)).collect()
+    }
+
+    /// Puts what came since the last question into cells.
+    fn sort(&self) {
+        let mut cells = self.cells.borrow_mut();
+        for index in self.sorted.get()..self.disks.len() {
+            cells.entry(cell_of(self.disks[index].position)).or_default().push(index as u32);
+        }
+        self.sorted.set(self.disks.len());
+    }
+}
+
+fn cell_of(point: DVec2) -> (i64, i64) {
+    ((point.x / CELL).floor() as i64, (point.y / CELL).floor() as i64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_reaches_into_a_rectangle_is_found_whenever_it_came() {
+        let mut standing = Standing::default();
+        let grid = |i: u32| DVec2::new(f64::from(i % 40) * 7.0, f64::from(i / 40) * 7.0);
+        (0..1600).for_each(|i| standing.add(Disk { position: grid(i), radius: 1.0 + f64::from(i % 5) }));
+        let near = Bounds { min: DVec2::new(50.0, 50.0), max: DVec2::new(60.0, 55.0) };
+        let expected = |standing: &Standing| -> Vec<Disk> {
+            let reaches = |d: &&Disk| near.grown(d.radius).contains(d.position);
+            standing.disks.iter().filter(reaches).copied().collect()
+        };
+        assert_eq!(standing.near(near), expected(&standing));
+        standing.add(Disk { position: DVec2::new(90.0, 52.0), radius: 31.0 });
+        assert_eq!(standing.near(near), expected(&standing));
+        assert_eq!(standing.near(near).last().map(|d| d.radius), Some(31.0));
+        let far = Bounds { min: DVec2::splat(1e12), max: DVec2::splat(2e12) };
+        assert_eq!(standing.near(far), []);
+    }
+}
