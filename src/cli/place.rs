@@ -1,4 +1,4 @@
-//! A place: a folder with `bosquet.toml`, which names layout, rules, attributes and outputs.
+//! A place: a folder with `bosquet.toml`, or another manifest in it, which names layout, rules, attributes and outputs.
 
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -53,12 +53,13 @@ pub struct Plan {
     pub legend: Option<bool>,
 }
 
-/// The place in a folder, or at a manifest; `None` where the path is something else.
+/// The place in a folder, or at a manifest of any name, so that a folder may hold several; `None` where the path is
+/// something else.
 pub fn find(path: &Path) -> Option<PathBuf> {
     if path.is_dir() {
         return Some(path.join(MANIFEST));
     }
-    (path.file_name().is_some_and(|name| name == MANIFEST)).then(|| path.into())
+    (path.extension().is_some_and(|ending| ending == "toml")).then(|| path.into())
 }
 
 /// Reads a manifest; what is wrong with it comes with line and column.
@@ -66,7 +67,8 @@ pub fn read(path: &Path) -> Result<Manifest, String> {
     let text = std::fs::read_to_string(path).map_err(|error| match error.kind() {
         std::io::ErrorKind::NotFound => {
             let folder = path.parent().unwrap_or(Path::new(".")).display();
-            format!("there is no `{MANIFEST}` in `{folder}`: a place needs one (`bosquet new DIR` makes a starter)")
+            let name = path.file_name().unwrap_or_default().display();
+            format!("there is no `{name}` in `{folder}`: a place needs one (`bosquet new DIR` makes a starter)")
         }
         _ => format!("`{}` cannot be read: {error}", path.display()),
     })?;
