@@ -1,6 +1,8 @@
 //! What `bosquet stats` shows: a table for people, curves as CSV, everything as JSON.
 
-use bosquet::stats::{Comparison, Curves, Distances, Pattern, Spread, Summary, curves, summary};
+use bosquet::stats::{
+    Comparison, Curves, Distances, Pattern, Spread, Summary, curves, nearest_neighbours, shares_within, summary,
+};
 use bosquet::text::{area_words, number, thousands};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -11,6 +13,10 @@ pub struct Set {
     outside: usize,
     summary: Summary,
     curves: Curves,
+    /// At each distance of the curves, the share of points whose nearest neighbour is not farther.
+    nearest_within: Vec<f64>,
+    /// The same of the window's edge.
+    window_within: Vec<f64>,
     /// Distances to other things, by what they are.
     further: Vec<(&'static str, Spread)>,
 }
@@ -23,11 +29,14 @@ const ROWS: usize = 8;
 impl Set {
     /// Measures a pattern, its curves at `steps` distances up to `reach` metres.
     pub fn measure(name: &str, pattern: &Pattern, reach: f64, steps: usize) -> Set {
+        let curves = curves(pattern, reach, steps);
         Set {
             name: name.into(),
             outside: pattern.outside(),
             summary: summary(pattern),
-            curves: curves(pattern, reach, steps),
+            nearest_within: shares_within(&nearest_neighbours(pattern.points()), &curves.radius),
+            window_within: shares_within(&pattern.distances_to_rim(), &curves.radius),
+            curves,
             further: Vec::new(),
         }
     }
@@ -53,7 +62,9 @@ pub fn table(sets: &[Set], compared: &[(&str, Comparison)]) -> String {
         let _ = writeln!(out, "  {:<34}{:>10}{:>10}", "", "metres", "scaled");
         row(&mut out, "W1 of nearest neighbours", [m.nearest, s.nearest]);
         row(&mut out, "W1 of distances to the window", [m.rim, s.rim]);
-        row(&mut out, "L2 of pair correlations", [m.pair_correlation, s.pair_correlation]);
+        if let Some((metres, scaled)) = m.pair_correlation.zip(s.pair_correlation) {
+            row(&mut out, "L2 of pair correlations", [metres, scaled]);
+        }
         row(&mut out, "largest difference of L", [m.l, s.l]);
         let _ = writeln!(out, "  {:<34}{:>10.3}", "Chamfer, k = 1, means added", found.chamfer);
         let _ = writeln!(out, "  {:<34}{:>10.3}\n", "Hausdorff", found.hausdorff);
@@ -93,14 +104,15 @@ fn describe(set: &Set, out: &mut String) {
     out.push('\n');
 }
 
-/// The curves of all sets as a table: set, distance, K, L less the distance, g.
+/// The curves of all sets as a table: set, distance, K, L less the distance, g, and the distributions of distances to
+/// nearest neighbours and to the window's edge.
 pub fn csv(sets: &[Set]) -> String {
-    let mut out = String::from("set,r,k,l_less_r,g\r\n");
+    let mut out = String::from("set,r,k,l_less_r,g,nearest_within,window_within\r\n");
     for set in sets {
         let name = format!("\"{}\"", set.name.replace('"', "\"\""));
         for (i, l) in set.curves.l_less_r().iter().enumerate() {
             let (r, k, g) = (set.curves.radius[i], set.curves.k[i], set.curves.g[i]);
-            let _ = write!(out, "{name},{r},{k},{l},{g}\r\n");
+            let _ = write!(out, "{name},{r},{k},{l},{g},{},{}\r\n", set.nearest_within[i], set.window_within[i]);
         }
     }
     out
@@ -145,6 +157,8 @@ fn set_json(set: &Set) -> Value {
             "k": set.curves.k,
             "l_less_r": set.curves.l_less_r(),
             "g": set.curves.g,
+            "nearest_within": set.nearest_within,
+            "window_within": set.window_within,
         },
     })
 }

@@ -7,6 +7,7 @@ use crate::cli::{Ended, show};
 use bosquet::diag::Diagnostic;
 use bosquet::geometry::{Area, Polygon, convex_hull};
 use bosquet::layout::Kind;
+use bosquet::placement::PlacementError;
 use bosquet::seed::Seed;
 use bosquet::stats::{Pattern, Segments, Window, compare, default_reach};
 use bosquet::text::counted;
@@ -85,7 +86,8 @@ fn work(arguments: &Arguments) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
     }
     if arguments.random {
         let baseline = sets[0].1.random(Seed(arguments.seed));
-        sets.push(("random".into(), baseline));
+        let refused = |error: PlacementError| vec![Diagnostic::data("points", &*sets[0].0, error.to_string())];
+        sets.push(("random".into(), baseline.map_err(refused)?));
     }
     let (buildings, streets) = (files.buildings(), files.streets());
     let measured: Vec<Set> = sets

@@ -81,6 +81,15 @@ impl Spread {
     }
 }
 
+/// The distribution of a sample: which share of it is not above each of the radii, which must ascend. Zeros for an empty
+/// sample. n log n.
+pub fn shares_within(sample: &[f64], radii: &[f64]) -> Vec<f64> {
+    let mut sorted = sample.to_vec();
+    sorted.sort_unstable_by(f64::total_cmp);
+    let count = sorted.len().max(1) as f64;
+    radii.iter().map(|radius| sorted.partition_point(|v| v <= radius) as f64 / count).collect()
+}
+
 fn quantile(sorted: &[f64], share: f64) -> f64 {
     let place = share * (sorted.len() - 1) as f64;
     let (low, high) = (sorted[place.floor() as usize], sorted[place.ceil() as usize]);
