@@ -304,7 +304,7 @@ proptest! {
     }
 
     #[test]
-    fn wasserstein_is_a_distance(a in sample(), b in sample(), c in sample(), step in -5.0..5.0) {
+    fn wasserstein_is_a_distance(a in sample(), b in sample(), c in sample(), step in -5.0..5.0_f64) {
         let w = stats::wasserstein;
         prop_assert_eq!(w(&a, &a), 0.0);
         prop_assert!((w(&a, &b) - w(&b, &a)).abs() < 1e-9);

@@ -1,4 +1,4 @@
-//! What `bosquet stats` shows: a table for people, curves as CSV, everything as JSON.
+//! What `bosquet stats` shows: tables for people, curves as CSV, everything as JSON.
 
 use bosquet::stats::{
     Comparison, Curves, Distances, Pattern, Spread, Summary, curves, nearest_neighbours, shares_within, summary,
@@ -47,7 +47,7 @@ impl Set {
     }
 }
 
-/// Everything in columns, one a set, for people.
+/// Everything for people, one set after the other.
 pub fn table(sets: &[Set], compared: &[(&str, Comparison)]) -> String {
     let mut out = String::new();
     for set in sets {
@@ -55,21 +55,25 @@ pub fn table(sets: &[Set], compared: &[(&str, Comparison)]) -> String {
     }
     for (name, found) in compared {
         let _ = writeln!(out, "{} and {name}", sets[0].name);
-        let row = |out: &mut String, words: &str, d: [f64; 2]| {
-            let _ = writeln!(out, "  {words:<34}{:>10.3}{:>10.3}", d[0], d[1]);
-        };
-        let (m, s) = (found.metres, found.scaled);
-        let _ = writeln!(out, "  {:<34}{:>10}{:>10}", "", "metres", "scaled");
-        row(&mut out, "W1 of nearest neighbours", [m.nearest, s.nearest]);
-        row(&mut out, "W1 of distances to the window", [m.rim, s.rim]);
-        if let Some((metres, scaled)) = m.pair_correlation.zip(s.pair_correlation) {
-            row(&mut out, "L2 of pair correlations", [metres, scaled]);
-        }
-        row(&mut out, "largest difference of L", [m.l, s.l]);
-        let _ = writeln!(out, "  {:<34}{:>10.3}", "Chamfer, k = 1, means added", found.chamfer);
-        let _ = writeln!(out, "  {:<34}{:>10.3}\n", "Hausdorff", found.hausdorff);
+        contrast(found, &mut out);
     }
     out
+}
+
+fn contrast(found: &Comparison, out: &mut String) {
+    let (m, s) = (found.metres, found.scaled);
+    let rows = [
+        ("W1 of nearest neighbours", Some((m.nearest, s.nearest))),
+        ("W1 of distances to the window", Some((m.rim, s.rim))),
+        ("L2 of pair correlations", m.pair_correlation.zip(s.pair_correlation)),
+        ("largest difference of L", Some((m.l, s.l))),
+    ];
+    let _ = writeln!(out, "  {:<34}{:>10}{:>10}", "", "metres", "scaled");
+    for (words, (metres, scaled)) in rows.into_iter().filter_map(|(words, pair)| Some((words, pair?))) {
+        let _ = writeln!(out, "  {words:<34}{metres:>10.3}{scaled:>10.3}");
+    }
+    let _ = writeln!(out, "  {:<34}{:>10.3}", "Chamfer, k = 1, means added", found.chamfer);
+    let _ = writeln!(out, "  {:<34}{:>10.3}\n", "Hausdorff", found.hausdorff);
 }
 
 fn describe(set: &Set, out: &mut String) {
@@ -90,18 +94,23 @@ fn describe(set: &Set, out: &mut String) {
         let cells: String = values.map(|v| format!("{v:>6.1}")).collect();
         let _ = writeln!(out, "  {words:<34}{cells}");
     }
+    curve_rows(&set.curves, out);
+    out.push('\n');
+}
+
+fn curve_rows(curves: &Curves, out: &mut String) {
+    let bandwidth = curves.bandwidth;
     let _ = writeln!(
         out,
-        "  {:>10}{:>12}{:>10}{:>8}   isotropic correction; kernel of g ± {:.2} m",
-        "r", "K", "L - r", "g", set.curves.bandwidth
+        "  {:>10}{:>12}{:>10}{:>8}   isotropic correction; kernel of g ± {bandwidth:.2} m",
+        "r", "K", "L - r", "g"
     );
-    let every = set.curves.radius.len().div_ceil(ROWS).max(1);
-    let l = set.curves.l_less_r();
-    for i in (every - 1..set.curves.radius.len()).step_by(every) {
-        let (r, k, g) = (set.curves.radius[i], set.curves.k[i], set.curves.g[i]);
+    let every = curves.radius.len().div_ceil(ROWS).max(1);
+    let l = curves.l_less_r();
+    for i in (every - 1..curves.radius.len()).step_by(every) {
+        let (r, k, g) = (curves.radius[i], curves.k[i], curves.g[i]);
         let _ = writeln!(out, "  {r:>10.2}{k:>12.2}{:>10.3}{g:>8.3}", l[i]);
     }
-    out.push('\n');
 }
 
 /// The curves of all sets as a table: set, distance, K, L less the distance, g, and the distributions of distances to

@@ -89,18 +89,7 @@ fn work(arguments: &Arguments) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
         let refused = |error: PlacementError| vec![Diagnostic::data("points", &*sets[0].0, error.to_string())];
         sets.push(("random".into(), baseline.map_err(refused)?));
     }
-    let (buildings, streets) = (files.buildings(), files.streets());
-    let measured: Vec<Set> = sets
-        .iter()
-        .map(|(name, pattern)| {
-            let reach = arguments.rmax.unwrap_or_else(|| default_reach(pattern));
-            let mut set = Set::measure(name, pattern, reach, arguments.radii.into());
-            let to_building = |w: &Window, p: DVec2| if w.contains(p) { 0.0 } else { w.distance_to_rim(p) };
-            set.add("to buildings", buildings.as_ref().map(|w| pattern.points().iter().map(|p| to_building(w, *p))));
-            set.add("to streets", streets.as_ref().map(|s| pattern.points().iter().map(|p| s.distance(*p))));
-            set
-        })
-        .collect();
+    let measured = files.measure(&sets, arguments);
     let others = sets.iter().skip(1).map(|(name, other)| (name.as_str(), compare(&sets[0].1, other)));
     let compared: Vec<_> = others.collect();
     let outputs = [(&arguments.csv, csv(&measured)), (&arguments.json, json(&measured, &compared))];
@@ -126,6 +115,21 @@ impl Files {
         let further = [&mut files.window, &mut files.buildings, &mut files.streets].into_iter().flatten();
         share_plan(&mut files.sets.iter_mut().chain(further).collect::<Vec<_>>()).map_err(|d| vec![d])?;
         Ok(files)
+    }
+
+    /// Everything that is measured of each pattern by itself.
+    fn measure(&self, patterns: &[(String, Pattern)], arguments: &Arguments) -> Vec<Set> {
+        let (buildings, streets) = (self.buildings(), self.streets());
+        let to_building = |w: &Window, p: DVec2| if w.contains(p) { 0.0 } else { w.distance_to_rim(p) };
+        let measure = |(name, pattern): &(String, Pattern)| {
+            let reach = arguments.rmax.unwrap_or_else(|| default_reach(pattern));
+            let mut set = Set::measure(name, pattern, reach, arguments.radii.into());
+            let points = || pattern.points().iter();
+            set.add("to buildings", buildings.as_ref().map(|w| points().map(|p| to_building(w, *p))));
+            set.add("to streets", streets.as_ref().map(|s| points().map(|p| s.distance(*p))));
+            set
+        };
+        patterns.iter().map(measure).collect()
     }
 
     /// The points of a file in their window; what is assumed or left out is told.
