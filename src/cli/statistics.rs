@@ -88,10 +88,10 @@ fn describe(set: &Set, out: &mut String) {
     let index = s.clark_evans;
     row("Clark-Evans R", format!("{:.3} (Donnelly), {:.3} (uncorrected)", index.donnelly, index.naive));
     let spreads = [("nearest neighbour", s.nearest), ("to the window's edge", s.rim)];
-    let _ = writeln!(out, "  {:<34}  mean    sd   p10   p25   p50   p75   p90", "metres");
+    let _ = writeln!(out, "  {:<34}    mean      sd     p10     p25     p50     p75     p90", "metres");
     for (words, spread) in spreads.into_iter().chain(set.further.iter().copied()) {
         let values = [spread.mean, spread.deviation].into_iter().chain(spread.quantiles[SHOWN].iter().copied());
-        let cells: String = values.map(|v| format!("{v:>6.1}")).collect();
+        let cells: String = values.map(|v| format!("{v:>8.1}")).collect();
         let _ = writeln!(out, "  {words:<34}{cells}");
     }
     curve_rows(&set.curves, out);

@@ -61,7 +61,7 @@ pub fn clark_evans(pattern: &Pattern, nearest: &[f64]) -> ClarkEvans {
     let mean = nearest.iter().sum::<f64>() / nearest.len() as f64;
     let expected = 0.5 / pattern.density().sqrt();
     let count = pattern.points().len() as f64;
-    let edge = (0.0514 + 0.041 / count.sqrt()) * pattern.window().perimeter() / count;
+    let edge = (0.0514 + 0.0412 / count.sqrt()) * pattern.window().perimeter() / count;
     ClarkEvans { naive: mean / expected, donnelly: mean / (expected + edge) }
 }
 
