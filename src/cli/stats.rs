@@ -82,7 +82,7 @@ fn work(arguments: &Arguments) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
     let mut files = Files::read(arguments)?;
     let mut sets = Vec::new();
     for source in &files.sets {
-        sets.push((source.path.clone(), files.pattern(source, arguments.kind.as_deref()).map_err(|d| vec![d])?));
+        sets.push((source.path.clone(), files.pattern(source, arguments.kind.as_deref())?));
     }
     if arguments.random {
         let baseline = sets[0].1.random(Seed(arguments.seed));
@@ -113,7 +113,7 @@ impl Files {
             streets: arguments.streets.as_ref().map(read).transpose()?,
         };
         let further = [&mut files.window, &mut files.buildings, &mut files.streets].into_iter().flatten();
-        share_plan(&mut files.sets.iter_mut().chain(further).collect::<Vec<_>>()).map_err(|d| vec![d])?;
+        share_plan(&mut files.sets.iter_mut().chain(further).collect::<Vec<_>>())?;
         Ok(files)
     }
 
@@ -133,8 +133,8 @@ impl Files {
     }
 
     /// The points of a file in their window; what is assumed or left out is told.
-    fn pattern(&self, source: &Source, kind: Option<&str>) -> Result<Pattern, Diagnostic> {
-        let refused = |message: String| Diagnostic::data("points", &*source.path, message);
+    fn pattern(&self, source: &Source, kind: Option<&str>) -> Result<Pattern, Vec<Diagnostic>> {
+        let refused = |message: String| vec![Diagnostic::data("points", &*source.path, message)];
         let points = source.points_of(kind);
         if let Some(kind) = kind.filter(|_| points.is_empty()) {
             let mut words: Vec<String> = source.points.iter().map(|(_, word)| format!("`{word}`")).collect();
@@ -154,9 +154,9 @@ impl Files {
         Ok(pattern)
     }
 
-    fn window(&self, source: &Source, points: &[DVec2]) -> Result<Window, Diagnostic> {
+    fn window(&self, source: &Source, points: &[DVec2]) -> Result<Window, Vec<Diagnostic>> {
         if let Some(file) = &self.window {
-            let refused = || Diagnostic::data("points", &*file.path, "the window has no polygon, and so no area");
+            let refused = || vec![Diagnostic::data("points", &*file.path, "the window has no polygon, and so no area")];
             return Window::new(&file.all_areas()).ok_or_else(refused);
         }
         if let Some(lots) = Window::new(&source.areas_of(&Kind::Lot)) {
@@ -165,9 +165,9 @@ impl Files {
         show::tell(format_args!("{}: no window is given: the convex hull of the points is taken", source.path));
         let hull = Polygon::new(&convex_hull(points), &[]).map(Area::from);
         Window::new(&hull).ok_or_else(|| {
-            let count = counted(points.len(), "point");
-            Diagnostic::data("points", &*source.path, format!("the convex hull of {count} has no area"))
-                .hint("give the polygons in which they were observed: `--window lots.geojson`")
+            let message = format!("the convex hull of {} has no area", counted(points.len(), "point"));
+            let hint = "give the polygons in which they were observed: `--window lots.geojson`";
+            vec![Diagnostic::data("points", &*source.path, message).hint(hint)]
         })
     }
 
