@@ -357,3 +357,26 @@ fn ages_are_even_between_their_bounds() {
         assert!((share - 0.25).abs() < 4.0 * (0.25 * 0.75 / count as f64).sqrt(), "{share} from {from} years");
     }
 }
+
+#[test]
+fn palettes_in_rules_can_take_each_others_place() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("rules/palettes");
+    let mut names: Vec<BTreeSet<String>> = Vec::new();
+    for file in std::fs::read_dir(folder).expect("palettes") {
+        let text = std::fs::read_to_string(file.expect("a file").path()).expect("a text");
+        let constants = text.lines().filter_map(|line| line.strip_prefix("const ")?.split_once(" = "));
+        let constants: BTreeMap<&str, &str> = constants.map(|(name, value)| (name, value.trim_matches('"'))).collect();
+        for (name, value) in &constants {
+            let known = match *name {
+                "palette" => Catalogue::built_in().palette(value).is_some(),
+                _ => Catalogue::built_in().find(value, "").is_ok_and(|found| found.entry.kind.is_plant()),
+            };
+            assert!(known, "{name} = {value}");
+        }
+        names.push(constants.keys().map(|name| name.to_string()).collect());
+        let rules = "import planting : \"palette.cga\"\nLot --> plant(planting.avenue, max_age = 40)\n";
+        let world = MemoryWorld::default().with("main.cga", rules).with("palette.cga", text);
+        assert_eq!(bosquet::check::check(&world, "main.cga").1, []);
+    }
+    assert!(names.len() >= 5 && names.windows(2).all(|pair| pair[0] == pair[1]), "{names:?}");
+}
