@@ -3,16 +3,28 @@
 //! In: an area in plane metres, a count or a density, a seed. Out: points inside, in an order that means nothing but
 //! stays the same. Point number `n` of a scatter is the same whatever the count: asking for one more plant moves none.
 
+mod along;
+mod beside;
+mod equidistant;
 mod even;
 mod field;
+mod places;
 mod radii;
+mod regular;
+mod rows;
+mod scan;
 mod scatter;
 mod site;
 mod spot;
+mod walk;
 
+pub use along::{Along, Line, along};
+pub use equidistant::equidistant;
 pub use even::{distributed, homogeneous};
 pub use field::{Field, Grid};
 pub use radii::Radii;
+pub use regular::{Lattice, regular};
+pub use rows::{Rows, rows};
 pub use scatter::{Scatter, gaussian, uniform};
 pub use site::{Body, Disk, Site};
 pub use spot::{Amount, Placed, Spot, Stop};
