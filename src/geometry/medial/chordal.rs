@@ -16,6 +16,9 @@ const STEP: f64 = 0.5;
 /// Points on the rim at most, corners not counted.
 const MOST_STEPS: f64 = 4000.0;
 
+/// Triangles whose centres are nearer than this (metres) to the rim come from rounding, on either side of it.
+const SLIVER: f64 = 1e-6;
+
 type Mesh = ConstrainedDelaunayTriangulation<Point2<f64>>;
 
 /// The skeleton; without nodes where nothing can be triangulated. Costs vertices times triangles.
@@ -25,9 +28,10 @@ pub(super) fn skeleton(polygon: &Polygon, rim: &Rim) -> Skeleton {
     let mut skeleton = Skeleton::default();
     for face in mesh.inner_faces() {
         let centre = face.center();
-        if polygon.contains(DVec2::new(centre.x, centre.y)) {
+        let bead = rim.bead(DVec2::new(centre.x, centre.y));
+        if bead.clearance > SLIVER && polygon.contains(bead.point) {
             numbers[face.fix().index()] = skeleton.nodes.len() as u32;
-            skeleton.nodes.push(rim.bead(DVec2::new(centre.x, centre.y)));
+            skeleton.nodes.push(bead);
         }
     }
     for edge in mesh.undirected_edges().filter(|edge| !edge.is_constraint_edge()) {
