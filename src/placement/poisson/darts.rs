@@ -131,11 +131,13 @@ impl<'a> Darts<'a> {
     fn split(&mut self, level: &Level, range: Range<usize>, next: &mut Level) {
         for cell in &level.cells[range] {
             let square = &cell.square;
-            let [_, high] = self.radii.span(square.min, square.min + DVec2::splat(square.side));
-            self.lattice.near(cell.tile, square.centre(), high, &mut self.near);
+            let lows = self.radii.lows(square.min, square.min + DVec2::splat(square.side));
+            if !self.lattice.near(cell.tile, square, lows, &mut self.near) {
+                continue;
+            }
             for index in 0..4 {
                 let (min, side) = (square.quarter(index), square.side * 0.5);
-                let [low, _] = self.radii.span(min, min + DVec2::splat(side));
+                let [low, _] = self.radii.lows(min, min + DVec2::splat(side));
                 if covered(min, side, low, &self.near) {
                     continue;
                 }
