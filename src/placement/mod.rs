@@ -80,6 +80,7 @@ impl PlacementError {
     pub fn parameter(&self) -> Option<&'static str> {
         match self {
             PlacementError::Value { parameter, .. } => Some(parameter),
+            PlacementError::Crowded { .. } => Some("radius"),
             _ => None,
         }
     }
