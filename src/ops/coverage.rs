@@ -49,18 +49,21 @@ impl Apply for Coverage {
     fn apply(self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
         let (plane, area, on_plan) = level(shape)?;
         let marked = self.marked(on_plan.bounds(), given)?.transformed(&to_plane(shape, plane));
-        let cover = without_trifles(&geometry::intersection(area, &marked), self.least.max(0.0));
+        let found = without_trifles(&geometry::intersection(area, &marked), self.least.max(0.0));
+        // A gap that was closed may be a hole of the shape's own.
+        let cover = geometry::intersection(area, &found);
         let mut parts = Vec::new();
         let mut add = |entry, area: Area| {
             parts.extend(fit::fitted(shape, Geometry::Flat(plane.clone(), area)).map(|shape| Part { entry, shape }));
         };
-        if let Some(choice) = given.chosen[1] {
-            add(choice.entry, geometry::difference(area, &cover));
-        }
+        let rest = geometry::difference(area, &cover);
         match given.chosen[0] {
             Some(choice) if choice.together => add(choice.entry, cover),
             Some(choice) => cover.polygons().iter().for_each(|patch| add(choice.entry, patch.clone().into())),
             None => {}
+        }
+        if let Some(choice) = given.chosen[1] {
+            add(choice.entry, rest);
         }
         let total = parts.len() as u32;
         (0..).zip(&mut parts).for_each(|(index, part)| part.shape.ordinals.comp = (index, total));

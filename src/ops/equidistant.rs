@@ -34,7 +34,8 @@ impl Apply for Equidistant {
 
     fn apply(self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
         let (shared, ground) = (self.shared(), Ground::of(shape)?);
-        let pruning = Pruning { branch: not_negative("prune", self.prune)?, corner: not_negative("corner", self.corner.0)? };
+        let pruning =
+            Pruning { branch: not_negative("prune", self.prune)?, corner: not_negative("corner", self.corner.0)? };
         let spacing = given.field("spacing", self.spacing.0.0);
         let radii = shared.radii_or(given, self.radius, &spacing)?;
         let site = shared.site(&ground, shape, given, &radii)?;

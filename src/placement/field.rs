@@ -7,6 +7,9 @@ use crate::geometry::Bounds;
 use glam::DVec2;
 use std::sync::Arc;
 
+/// Metres by which a box is widened before its nodes are looked up, against rounding.
+const SLACK: f64 = 1e-9;
+
 /// A number that may vary over the plan.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Field {
@@ -55,6 +58,17 @@ impl Grid {
         self.values.iter().sum::<f64>() / self.values.len() as f64
     }
 
+    /// The least and the greatest value over a box: those of the nodes of all meshes that the box touches.
+    pub fn extremes_in(&self, bounds: Bounds) -> [f64; 2] {
+        let (low, high) = (self.cell_of(bounds.min - SLACK), self.cell_of(bounds.max + SLACK));
+        let columns = self.below(low.x, self.columns)..=self.below(high.x, self.columns) + 1;
+        let rows = self.below(low.y, self.rows)..=self.below(high.y, self.rows) + 1;
+        let nodes = rows.flat_map(|row| columns.clone().map(move |column| row * self.columns + column));
+        nodes.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], node| {
+            [least.min(self.values[node]), most.max(self.values[node])]
+        })
+    }
+
     /// A place in steps of the grid, held within it.
     fn cell_of(&self, p: DVec2) -> DVec2 {
         let last = DVec2::new((self.columns - 1) as f64, (self.rows - 1) as f64);
@@ -79,6 +93,29 @@ impl Field {
             Field::Constant(value) => *value,
             Field::Grid(grid) => grid.at(p),
         }
+    }
+
+    /// Bounds of the value over a box, for a grid by the nodes around it.
+    pub fn extremes_in(&self, bounds: Bounds) -> [f64; 2] {
+        match self {
+            Field::Constant(value) => [*value; 2],
+            Field::Grid(grid) => grid.extremes_in(bounds),
+        }
+    }
+
+    /// The least value over a box, or less.
+    pub fn least_in(&self, bounds: Bounds) -> f64 {
+        self.extremes_in(bounds)[0]
+    }
+
+    /// The greatest value over a box, or more.
+    pub fn most_in(&self, bounds: Bounds) -> f64 {
+        self.extremes_in(bounds)[1]
+    }
+
+    /// Whether it is one number everywhere.
+    pub fn is_constant(&self) -> bool {
+        matches!(self, Field::Constant(_))
     }
 
     /// The least value anywhere.

@@ -3,18 +3,39 @@
 //! In: an area in plane metres, a count or a density, a seed. Out: points inside, in an order that means nothing but
 //! stays the same. Point number `n` of a scatter is the same whatever the count: asking for one more plant moves none.
 
+mod along;
+mod beside;
+mod boundary;
+mod cluster;
+mod equidistant;
 mod even;
 mod field;
+mod places;
+mod poisson;
 mod radii;
+mod regular;
+mod rows;
+mod scan;
 mod scatter;
+mod semirandom;
+mod single;
 mod site;
 mod spot;
 mod standing;
+mod walk;
 
+pub use along::{Along, Line, along};
+pub use boundary::boundary;
+pub use cluster::clusters;
+pub use equidistant::equidistant;
 pub use even::{distributed, homogeneous};
 pub use field::{Field, Grid};
 pub use radii::Radii;
+pub use regular::{Lattice, regular};
+pub use rows::{Rows, rows};
 pub use scatter::{Scatter, gaussian, uniform};
+pub use semirandom::semirandom;
+pub use single::single;
 pub use site::{Body, Disk, Site};
 pub use spot::{Amount, Placed, Spot, Stop};
 pub use standing::Standing;
@@ -36,6 +57,12 @@ pub enum PlacementError {
     /// A deviation that is negative or no number.
     #[error("a deviation must be a number from 0 up, not {}", crate::text::number(*.0, 6))]
     Deviation(f64),
+    /// A radius with which more than [`MOST_POINTS`] would find a place.
+    #[error("`radius` is so small that about {} points would find a place, more than the limit of {} in one shape", whole(*.estimate), crate::text::thousands(MOST_POINTS))]
+    Crowded {
+        /// About how many points would find a place.
+        estimate: f64,
+    },
     /// A parameter of a strategy is not what it may be.
     #[error("`{parameter}` must be {allowed}, not {}", crate::text::number(*.found, 6))]
     Value {
@@ -76,51 +103,3 @@ fn whole(count: f64) -> String {
     // Saturates: what matters is that it is far too many.
     crate::text::thousands(count as usize)
 }
-
-// STUBS until the strategies are merged.
-pub fn semirandom(site: &Site, radii: &Radii, amount: &Amount, seed: Seed) -> Result<Placed, PlacementError> {
-    let _ = amount;
-    let mut spots: Vec<Spot> = Vec::new();
-    let b = site.bounds();
-    let mut r = seed.random();
-    for _ in 0..4000 {
-        let p = glam::DVec2::new(r.uniform(b.min.x, b.max.x), r.uniform(b.min.y, b.max.y));
-        let q = radii.draw(p, &mut r);
-        if site.allows(p, q) && spots.iter().all(|s| s.position.distance(p) >= s.radius + q) {
-            spots.push(Spot { position: p, radius: q, direction: glam::DVec2::X, cluster: 0 });
-        }
-    }
-    amount.thin(&mut spots, seed);
-    Ok(Placed { spots, missing: 0 })
-}
-pub fn boundary(
-    site: &Site,
-    rim: &Area,
-    width: f64,
-    radii: &Radii,
-    amount: &Amount,
-    seed: Seed,
-) -> Result<Placed, PlacementError> {
-    let mut p = semirandom(site, radii, amount, seed)?;
-    p.spots.retain(|s| rim.distance_to_edges(s.position) <= width);
-    Ok(p)
-}
-pub fn clusters(
-    site: &Site,
-    _r: f64,
-    _c: [usize; 2],
-    radii: &Radii,
-    amount: &Amount,
-    seed: Seed,
-) -> Result<Placed, PlacementError> {
-    semirandom(site, radii, amount, seed)
-}
-pub fn single(site: &Site, radii: &Radii, amount: &Amount, seed: Seed) -> Result<Placed, PlacementError> {
-    semirandom(site, radii, amount, seed)
-}
-/// A line to place on.
-pub struct Line {
-    pub points: Vec<glam::DVec2>,
-    pub closed: bool,
-}
-use crate::seed::Seed;

@@ -2,9 +2,13 @@
 //!
 //! Niese et al. 2022, §5.3: r(y) ~ N(μ, σ). The paper calls σ the variance; `deviation` here is its root.
 
+use crate::geometry::Bounds;
 use crate::placement::{Field, PlacementError};
 use crate::seed::Random;
 use glam::DVec2;
+
+/// Draws from the bell before one is taken evenly; the chance to need more is below 1e-9.
+const TRIES: usize = 64;
 
 /// The distribution of radii, metres.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,6 +55,12 @@ impl Radii {
         [low, (mean + 2.0 * self.deviation).max(low)]
     }
 
+    /// The least radius and the greatest in a box, or a wider range.
+    pub fn span(&self, min: DVec2, max: DVec2) -> [f64; 2] {
+        let [least, most] = self.mean.extremes_in(Bounds { min, max });
+        [self.range(least)[0], self.range(most)[1]]
+    }
+
     /// The least radius anywhere.
     pub fn smallest(&self) -> f64 {
         self.range(self.mean.least())[0]
@@ -73,11 +83,14 @@ impl Radii {
         if self.deviation == 0.0 || high <= low {
             return mean.clamp(low, high.max(low));
         }
-        // Bounds reach two deviations at most, so nearly every draw lands; a narrow rest is drawn evenly.
-        for _ in 0..16 {
-            let radius = random.normal(mean, self.deviation);
-            if (low..=high).contains(&radius) {
-                return radius;
+        // Evenly between the bounds, refused by the height of the bell. Bounds lie within two deviations of the mean,
+        // so that even in the tail every other draw or so is kept.
+        let [from, to] = [(low - mean) / self.deviation, (high - mean) / self.deviation];
+        let peak = 0.0f64.clamp(from, to);
+        for _ in 0..TRIES {
+            let z = random.uniform(from, to);
+            if random.unit() < libm::exp(0.5 * (peak * peak - z * z)) {
+                return (mean + self.deviation * z).clamp(low, high);
             }
         }
         random.uniform(low, high)

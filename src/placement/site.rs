@@ -41,9 +41,9 @@ impl Site {
         Site { area, ..Site::default() }
     }
 
-    /// The same, no centre nearer to `body` than `distance` metres.
+    /// The same, no centre nearer to `body` than `distance` metres, and none inside it. Distances below 0 are 0.
     pub fn clear_of(mut self, body: Body, distance: f64) -> Site {
-        self.kept.push((body, distance));
+        self.kept.push((body, distance.max(0.0)));
         self
     }
 
@@ -69,16 +69,39 @@ impl Site {
         self.area.bounds()
     }
 
-    /// Whether a disk may stand there.
+    /// What is kept clear, and by how many metres.
+    pub fn kept(&self) -> &[(Body, f64)] {
+        &self.kept
+    }
+
+    /// The disks that stand.
+    pub fn taken(&self) -> &[Disk] {
+        &self.standing
+    }
+
+    /// The lot that disks stay within.
+    pub fn lot(&self) -> Option<&Area> {
+        self.seam.as_ref()
+    }
+
+    /// Whether a disk may stand there. Costs the number of edges and disks.
     pub fn allows(&self, p: DVec2, radius: f64) -> bool {
         self.area.contains(p)
-            && self.kept.iter().all(|(body, distance)| body.distance(p) >= *distance)
+            && self.kept.iter().all(|(body, distance)| body.clear(p) >= *distance)
             && self.standing.iter().all(|disk| disk.position.distance(p) >= disk.radius + radius)
             && self.seam.as_ref().is_none_or(|lot| lot.contains(p) && lot.distance_to_edges(p) >= radius)
     }
 }
 
 impl Body {
+    /// Metres to its nearest point; negative inside an area, by how deep the point lies.
+    pub fn clear(&self, p: DVec2) -> f64 {
+        match self {
+            Body::Area(area) if area.contains(p) => -area.distance_to_edges(p),
+            _ => self.distance(p),
+        }
+    }
+
     /// Metres to its nearest point; 0 inside an area.
     pub fn distance(&self, p: DVec2) -> f64 {
         match self {

@@ -28,7 +28,7 @@ pub enum Flaw {
     #[error("it is damaged: {0}")]
     Damaged(String),
     /// A sort of picture that nobody reads here.
-    #[error("{0} are not read; grey, RGB, RGBA and palettes are, with 1, 2, 4, 8, 16 or more bits")]
+    #[error("{0} are not read: grey, RGB and RGBA are, and palettes in PNG files")]
     Unsupported(String),
     /// No columns or no rows.
     #[error("it has no pixels")]

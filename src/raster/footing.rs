@@ -5,6 +5,7 @@
 //! map fitted to the raster's corners is corrected until it is right (Newton's method): projections bend little over
 //! a raster, so two or three steps do.
 
+use crate::geometry::Bounds;
 use crate::raster::Flaw;
 use crate::raster::crossing::Crossing;
 use glam::{DAffine2, DVec2};
@@ -28,6 +29,7 @@ pub struct Footing {
     near: DAffine2,
     back: DAffine2,
     is_straight: bool,
+    bounds: Bounds,
 }
 
 impl Footing {
@@ -43,9 +45,11 @@ impl Footing {
         if !near.is_finite() || !back.is_finite() || !is_wide {
             return Err(Flaw::NoExtent);
         }
-        let mut footing = Footing { to_world, crossing, near, back, is_straight: false };
+        let bounds = Bounds::EMPTY;
+        let mut footing = Footing { to_world, crossing, near, back, is_straight: false, bounds };
         let trials = || TRIALS.iter().flat_map(|x| TRIALS.iter().map(|y| size * DVec2::new(*x, *y)));
         footing.is_straight = trials().all(|p| footing.to_plan(p).distance(near.transform_point2(p)) < STRAIGHT);
+        footing.bounds = Bounds::of(trials().map(|p| footing.to_plan(p)));
         let returns = |p: DVec2| {
             let plan = footing.to_plan(p);
             footing.to_pixel(plan).is_some_and(|q| footing.to_plan(q).distance(plan) < TOLERANCE)
@@ -72,6 +76,11 @@ impl Footing {
             pixel += self.back.transform_vector2(off);
         }
         pixel.is_finite().then_some(pixel)
+    }
+
+    /// The extent of the raster on the plan; what a projection bulges beyond it is far less than a pixel.
+    pub fn bounds(&self) -> Bounds {
+        self.bounds
     }
 
     /// The side of a square pixel of the same area, metres.

@@ -101,6 +101,11 @@ impl Raster {
 
     /// The columns and rows around a part of the plan, from and to; none where it lies beside the raster.
     fn window(&self, within: Bounds) -> Option<[usize; 4]> {
+        let own = self.footing.bounds().grown(MARGIN * self.pixel());
+        let within = Bounds { min: within.min.max(own.min), max: within.max.min(own.max) };
+        if within.is_empty() {
+            return None;
+        }
         let along = [0.0, 0.5, 1.0];
         let places = along.iter().flat_map(|x| along.iter().map(|y| within.min + within.size() * DVec2::new(*x, *y)));
         let pixels = places.map(|place| self.footing.to_pixel(place)).collect::<Option<Vec<DVec2>>>()?;

@@ -31,10 +31,7 @@ pub fn read(bytes: &[u8]) -> Result<(Pixels, Tags), Flaw> {
     }
     let mut samples = samples(result);
     if color.bit_depth() < 8 {
-        samples = unpacked(samples, color, [width as usize, height as usize]);
-    }
-    if let ColorType::Palette(bits) = color {
-        samples = coloured(samples, &decoder.get_tag_u16_vec(Tag::ColorMap).map_err(flaw)?, bits);
+        samples = unpacked(samples, color.bit_depth(), [width as usize, height as usize]);
     }
     let bands = samples.len() / count;
     if layout.planes > 1 {
@@ -68,7 +65,7 @@ fn expect_readable(color: ColorType) -> Result<(), Flaw> {
     let whole = matches!(color.bit_depth(), 8 | 16 | 32 | 64);
     let small = matches!(color.bit_depth(), 1 | 2 | 4);
     match color {
-        ColorType::Gray(_) | ColorType::Palette(_) if whole || small => Ok(()),
+        ColorType::Gray(_) if whole || small => Ok(()),
         ColorType::GrayA(_) | ColorType::RGB(_) | ColorType::RGBA(_) | ColorType::Multiband { .. } if whole => Ok(()),
         other => Err(Flaw::Unsupported(format!("TIFF files of {other:?}"))),
     }
@@ -91,13 +88,12 @@ fn samples(result: DecodingResult) -> Samples {
     }
 }
 
-/// Samples of less than a byte, each in a byte of its own: greys spread over its range, the indices of a palette as
-/// they are. Rows begin with a byte.
-fn unpacked(samples: Samples, color: ColorType, [width, height]: [usize; 2]) -> Samples {
+/// Greys of less than a byte, each in a byte of its own and spread over its range. Rows begin with a byte.
+fn unpacked(samples: Samples, bits: u8, [width, height]: [usize; 2]) -> Samples {
     let Samples::U8(packed) = samples else { return samples };
-    let bits = usize::from(color.bit_depth());
+    let bits = usize::from(bits);
     let (each, most) = (8 / bits, u8::MAX >> (8 - bits));
-    let spread = if matches!(color, ColorType::Gray(_)) { u8::MAX / most } else { 1 };
+    let spread = u8::MAX / most;
     let stride = width.div_ceil(each);
     let sample = |i: usize| {
         let (row, column) = (i / width, i % width);
@@ -105,14 +101,6 @@ fn unpacked(samples: Samples, color: ColorType, [width, height]: [usize; 2]) -> 
         (byte >> (8 - bits * (column % each + 1)) & most) * spread
     };
     Samples::U8((0..width * height).map(sample).collect())
-}
-
-/// Indices as colours of eight bits. The map has all reds, then all greens, then all blues, of sixteen bits each.
-fn coloured(indices: Samples, map: &[u16], bits: u8) -> Samples {
-    let Samples::U8(indices) = indices else { return indices };
-    let size = 1usize << bits.min(8);
-    let channel = |index: u8, c: usize| map.get(c * size + usize::from(index)).map_or(0, |v| (v >> 8) as u8);
-    Samples::U8(indices.into_iter().flat_map(|index| [0, 1, 2].map(|c| channel(index, c))).collect())
 }
 
 /// Planes one after the other → the samples of each pixel together.

@@ -103,7 +103,7 @@ impl Heights {
             (true, false) => (inner_ahead, outer_ahead),
             (false, false) => (inner, inner_ahead),
             (true, true) => (outer_ahead, outer),
-            (false, true) => match self.is_joined(inner.min(outer_ahead).min(outer)) {
+            (false, true) => match self.is_joined(inner.min(outer_ahead)) {
                 true => (outer_ahead, outer),
                 false => (inner, inner_ahead),
             },

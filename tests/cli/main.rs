@@ -4,6 +4,7 @@
 
 mod bench;
 mod check;
+mod coverage;
 mod derive;
 mod errors;
 mod hostile;

@@ -1,0 +1,37 @@
+//! Plants in a band along the edges of an area: the boundary strategy.
+//!
+//! Niese et al. 2022, §5.2 and §5.3; the width is its β.
+
+use crate::geometry::{Area, difference, inset};
+use crate::placement::poisson::Ground;
+use crate::placement::semirandom::place;
+use crate::placement::{Amount, Placed, PlacementError, Radii, Site};
+use crate::seed::Seed;
+
+/// Plants at random, their centres inside `rim` and no farther than `width` metres from its edges.
+///
+/// Each is turned along its nearest edge. Otherwise as [`semirandom`](crate::placement::semirandom); the active area
+/// is the part of the site in the band. Turning costs the number of edges for each plant.
+pub fn boundary(
+    site: &Site,
+    rim: &Area,
+    width: f64,
+    radii: &Radii,
+    amount: &Amount,
+    seed: Seed,
+) -> Result<Placed, PlacementError> {
+    if !(width.is_finite() && width >= 0.0) {
+        let allowed = "a number of metres from 0 up";
+        return Err(PlacementError::Value { parameter: "width", found: width, allowed });
+    }
+    let active = difference(site.area(), &inset(rim, width));
+    let mut placed = place(&Ground::of(site).along(rim, width), &active, radii, amount, seed)?;
+    let edges: Vec<_> = rim.edges().collect();
+    for spot in &mut placed.spots {
+        if let Some(near) = rim.nearest_edge(spot.position) {
+            let (a, b) = edges[near.edge];
+            spot.direction = (b - a).normalize_or(spot.direction);
+        }
+    }
+    Ok(placed)
+}
