@@ -100,7 +100,7 @@ fn figure_8_varies_age_kind_and_species() {
     let figure = Planting::figure("8");
     let panel = |letter: &str| figure.lot(&format!("8{letter}"));
     let oldest = |letter| panel(letter).iter().map(|plant| plant.age).fold(0.0, f64::max);
-    assert!(oldest("a") <= 10.0 && oldest("b") <= 30.0 && oldest("c") <= 100.0);
+    assert!(oldest("a") <= 4.0 && oldest("b") <= 12.0 && oldest("c") <= 80.0);
     let crown = |letter| mean(&panel(letter), |plant| plant.crown_radius);
     assert!(crown("a") < crown("b") && crown("b") < crown("c"));
     let trees = |letter| mean(&panel(letter), |plant| f64::from(u8::from(&*plant.kind == "tree")));
