@@ -5,6 +5,7 @@ use crate::cli::show::print;
 use bosquet::element::{Catalogue, Words};
 use bosquet::functions::{self, Function};
 use bosquet::ops::{OPERATIONS, Origin, Spec, UNBUILT_FUNCTIONS, UNBUILT_OPERATIONS, Unbuilt};
+use bosquet::plant::Growth;
 use bosquet::text::nearest;
 use serde_json::json;
 
@@ -120,9 +121,27 @@ fn elements() -> String {
     let line = |entry: &bosquet::element::Entry| {
         let types: Vec<String> = entry.variants.iter().map(|v| format!("{} ×{}", v.name, v.appearances)).collect();
         let latin = if entry.species.is_empty() { "" } else { &*entry.species };
-        format!("  {:<16} {:<12} {:<28} {}\n", entry.category, entry.kind.word(), latin, types.join(", "))
+        let (types, growth) = (types.join(", "), growth(entry));
+        format!("  {:<16} {:<12} {:<28} {types}{growth}\n", entry.category, entry.kind.word(), latin)
     };
-    Catalogue::built_in().entries().map(line).collect()
+    Catalogue::built_in().entries().map(line).collect::<String>() + &palettes()
+}
+
+/// Until what age a plant was measured.
+fn growth(entry: &bosquet::element::Entry) -> String {
+    match Growth::of(entry) {
+        Ok(growth) if growth.is_measured() => format!("; measured to {} years", growth.last_age()),
+        _ => String::new(),
+    }
+}
+
+fn palettes() -> String {
+    let catalogue = Catalogue::built_in();
+    let line = |palette: &bosquet::element::Palette| {
+        let names: Vec<&str> = palette.plants(catalogue).map(|entry| &*entry.label).collect();
+        format!("  {:<16} {}: {}\n", palette.name, palette.label, names.join(", "))
+    };
+    "\nPalettes for `plant`\n\n".to_owned() + &catalogue.palettes().map(line).collect::<String>()
 }
 
 fn unbuilt() -> String {

@@ -91,7 +91,7 @@ impl Source {
 }
 
 /// Brings all files into the plan of the first that knows its coordinates; an error where their systems differ.
-pub fn share_plan(sources: &mut [&mut Source]) -> Result<(), Diagnostic> {
+pub fn share_plan(sources: &mut [&mut Source]) -> Result<(), Vec<Diagnostic>> {
     let Some((first, plan)) = sources.iter().find_map(|s| Some((s.path.clone(), s.way.clone()?))) else {
         return Ok(());
     };
@@ -105,7 +105,7 @@ pub fn share_plan(sources: &mut [&mut Source]) -> Result<(), Diagnostic> {
                 let system = own.map_or("metres".to_owned(), |own| format!("`{}`", own.crs));
                 let message = format!("the coordinates are in {system}, those of `{first}` in `{}`", plan.crs);
                 let hint = "bring the files into one coordinate system";
-                return Err(Diagnostic::data("points-crs", &*source.path, message).hint(hint));
+                return Err(vec![Diagnostic::data("points-crs", &*source.path, message).hint(hint)]);
             }
         }
     }

@@ -1,6 +1,8 @@
-//! What `bosquet stats` shows: a table for people, curves as CSV, everything as JSON.
+//! What `bosquet stats` shows: tables for people, curves as CSV, everything as JSON.
 
-use bosquet::stats::{Comparison, Curves, Distances, Pattern, Spread, Summary, curves, summary};
+use bosquet::stats::{
+    Comparison, Curves, Distances, Pattern, Spread, Summary, curves, nearest_neighbours, shares_within, summary,
+};
 use bosquet::text::{area_words, number, thousands};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -11,6 +13,10 @@ pub struct Set {
     outside: usize,
     summary: Summary,
     curves: Curves,
+    /// At each distance of the curves, the share of points whose nearest neighbour is not farther.
+    nearest_within: Vec<f64>,
+    /// The same of the window's edge.
+    window_within: Vec<f64>,
     /// Distances to other things, by what they are.
     further: Vec<(&'static str, Spread)>,
 }
@@ -23,11 +29,14 @@ const ROWS: usize = 8;
 impl Set {
     /// Measures a pattern, its curves at `steps` distances up to `reach` metres.
     pub fn measure(name: &str, pattern: &Pattern, reach: f64, steps: usize) -> Set {
+        let curves = curves(pattern, reach, steps);
         Set {
             name: name.into(),
             outside: pattern.outside(),
             summary: summary(pattern),
-            curves: curves(pattern, reach, steps),
+            nearest_within: shares_within(&nearest_neighbours(pattern.points()), &curves.radius),
+            window_within: shares_within(&pattern.distances_to_rim(), &curves.radius),
+            curves,
             further: Vec::new(),
         }
     }
@@ -38,7 +47,7 @@ impl Set {
     }
 }
 
-/// Everything in columns, one a set, for people.
+/// Everything for people, one set after the other.
 pub fn table(sets: &[Set], compared: &[(&str, Comparison)]) -> String {
     let mut out = String::new();
     for set in sets {
@@ -46,19 +55,25 @@ pub fn table(sets: &[Set], compared: &[(&str, Comparison)]) -> String {
     }
     for (name, found) in compared {
         let _ = writeln!(out, "{} and {name}", sets[0].name);
-        let row = |out: &mut String, words: &str, d: [f64; 2]| {
-            let _ = writeln!(out, "  {words:<34}{:>10.3}{:>10.3}", d[0], d[1]);
-        };
-        let (m, s) = (found.metres, found.scaled);
-        let _ = writeln!(out, "  {:<34}{:>10}{:>10}", "", "metres", "scaled");
-        row(&mut out, "W1 of nearest neighbours", [m.nearest, s.nearest]);
-        row(&mut out, "W1 of distances to the window", [m.rim, s.rim]);
-        row(&mut out, "L2 of pair correlations", [m.pair_correlation, s.pair_correlation]);
-        row(&mut out, "largest difference of L", [m.l, s.l]);
-        let _ = writeln!(out, "  {:<34}{:>10.3}", "Chamfer, k = 1, means added", found.chamfer);
-        let _ = writeln!(out, "  {:<34}{:>10.3}\n", "Hausdorff", found.hausdorff);
+        contrast(found, &mut out);
     }
     out
+}
+
+fn contrast(found: &Comparison, out: &mut String) {
+    let (m, s) = (found.metres, found.scaled);
+    let rows = [
+        ("W1 of nearest neighbours", Some((m.nearest, s.nearest))),
+        ("W1 of distances to the window", Some((m.rim, s.rim))),
+        ("L2 of pair correlations", m.pair_correlation.zip(s.pair_correlation)),
+        ("largest difference of L", Some((m.l, s.l))),
+    ];
+    let _ = writeln!(out, "  {:<34}{:>10}{:>10}", "", "metres", "scaled");
+    for (words, (metres, scaled)) in rows.into_iter().filter_map(|(words, pair)| Some((words, pair?))) {
+        let _ = writeln!(out, "  {words:<34}{metres:>10.3}{scaled:>10.3}");
+    }
+    let _ = writeln!(out, "  {:<34}{:>10.3}", "Chamfer, k = 1, means added", found.chamfer);
+    let _ = writeln!(out, "  {:<34}{:>10.3}\n", "Hausdorff", found.hausdorff);
 }
 
 fn describe(set: &Set, out: &mut String) {
@@ -73,34 +88,40 @@ fn describe(set: &Set, out: &mut String) {
     let index = s.clark_evans;
     row("Clark-Evans R", format!("{:.3} (Donnelly), {:.3} (uncorrected)", index.donnelly, index.naive));
     let spreads = [("nearest neighbour", s.nearest), ("to the window's edge", s.rim)];
-    let _ = writeln!(out, "  {:<34}  mean    sd   p10   p25   p50   p75   p90", "metres");
+    let _ = writeln!(out, "  {:<34}    mean      sd     p10     p25     p50     p75     p90", "metres");
     for (words, spread) in spreads.into_iter().chain(set.further.iter().copied()) {
         let values = [spread.mean, spread.deviation].into_iter().chain(spread.quantiles[SHOWN].iter().copied());
-        let cells: String = values.map(|v| format!("{v:>6.1}")).collect();
+        let cells: String = values.map(|v| format!("{v:>8.1}")).collect();
         let _ = writeln!(out, "  {words:<34}{cells}");
     }
-    let _ = writeln!(
-        out,
-        "  {:>10}{:>12}{:>10}{:>8}   isotropic correction; kernel of g ± {:.2} m",
-        "r", "K", "L - r", "g", set.curves.bandwidth
-    );
-    let every = set.curves.radius.len().div_ceil(ROWS).max(1);
-    let l = set.curves.l_less_r();
-    for i in (every - 1..set.curves.radius.len()).step_by(every) {
-        let (r, k, g) = (set.curves.radius[i], set.curves.k[i], set.curves.g[i]);
-        let _ = writeln!(out, "  {r:>10.2}{k:>12.2}{:>10.3}{g:>8.3}", l[i]);
-    }
+    curve_rows(&set.curves, out);
     out.push('\n');
 }
 
-/// The curves of all sets as a table: set, distance, K, L less the distance, g.
+fn curve_rows(curves: &Curves, out: &mut String) {
+    let bandwidth = curves.bandwidth;
+    let _ = writeln!(
+        out,
+        "  {:>10}{:>12}{:>10}{:>8}   isotropic correction; kernel of g ± {bandwidth:.2} m",
+        "r", "K", "L - r", "g"
+    );
+    let every = curves.radius.len().div_ceil(ROWS).max(1);
+    let l = curves.l_less_r();
+    for i in (every - 1..curves.radius.len()).step_by(every) {
+        let (r, k, g) = (curves.radius[i], curves.k[i], curves.g[i]);
+        let _ = writeln!(out, "  {r:>10.2}{k:>12.2}{:>10.3}{g:>8.3}", l[i]);
+    }
+}
+
+/// The curves of all sets as a table: set, distance, K, L less the distance, g, and the distributions of distances to
+/// nearest neighbours and to the window's edge.
 pub fn csv(sets: &[Set]) -> String {
-    let mut out = String::from("set,r,k,l_less_r,g\r\n");
+    let mut out = String::from("set,r,k,l_less_r,g,nearest_within,window_within\r\n");
     for set in sets {
         let name = format!("\"{}\"", set.name.replace('"', "\"\""));
         for (i, l) in set.curves.l_less_r().iter().enumerate() {
             let (r, k, g) = (set.curves.radius[i], set.curves.k[i], set.curves.g[i]);
-            let _ = write!(out, "{name},{r},{k},{l},{g}\r\n");
+            let _ = write!(out, "{name},{r},{k},{l},{g},{},{}\r\n", set.nearest_within[i], set.window_within[i]);
         }
     }
     out
@@ -145,6 +166,8 @@ fn set_json(set: &Set) -> Value {
             "k": set.curves.k,
             "l_less_r": set.curves.l_less_r(),
             "g": set.curves.g,
+            "nearest_within": set.nearest_within,
+            "window_within": set.window_within,
         },
     })
 }

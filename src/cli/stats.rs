@@ -7,6 +7,7 @@ use crate::cli::{Ended, show};
 use bosquet::diag::Diagnostic;
 use bosquet::geometry::{Area, Polygon, convex_hull};
 use bosquet::layout::Kind;
+use bosquet::placement::PlacementError;
 use bosquet::seed::Seed;
 use bosquet::stats::{Pattern, Segments, Window, compare, default_reach};
 use bosquet::text::counted;
@@ -81,24 +82,14 @@ fn work(arguments: &Arguments) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
     let mut files = Files::read(arguments)?;
     let mut sets = Vec::new();
     for source in &files.sets {
-        sets.push((source.path.clone(), files.pattern(source, arguments.kind.as_deref()).map_err(|d| vec![d])?));
+        sets.push((source.path.clone(), files.pattern(source, arguments.kind.as_deref())?));
     }
     if arguments.random {
         let baseline = sets[0].1.random(Seed(arguments.seed));
-        sets.push(("random".into(), baseline));
+        let refused = |error: PlacementError| vec![Diagnostic::data("points", &*sets[0].0, error.to_string())];
+        sets.push(("random".into(), baseline.map_err(refused)?));
     }
-    let (buildings, streets) = (files.buildings(), files.streets());
-    let measured: Vec<Set> = sets
-        .iter()
-        .map(|(name, pattern)| {
-            let reach = arguments.rmax.unwrap_or_else(|| default_reach(pattern));
-            let mut set = Set::measure(name, pattern, reach, arguments.radii.into());
-            let to_building = |w: &Window, p: DVec2| if w.contains(p) { 0.0 } else { w.distance_to_rim(p) };
-            set.add("to buildings", buildings.as_ref().map(|w| pattern.points().iter().map(|p| to_building(w, *p))));
-            set.add("to streets", streets.as_ref().map(|s| pattern.points().iter().map(|p| s.distance(*p))));
-            set
-        })
-        .collect();
+    let measured = files.measure(&sets, arguments);
     let others = sets.iter().skip(1).map(|(name, other)| (name.as_str(), compare(&sets[0].1, other)));
     let compared: Vec<_> = others.collect();
     let outputs = [(&arguments.csv, csv(&measured)), (&arguments.json, json(&measured, &compared))];
@@ -122,13 +113,28 @@ impl Files {
             streets: arguments.streets.as_ref().map(read).transpose()?,
         };
         let further = [&mut files.window, &mut files.buildings, &mut files.streets].into_iter().flatten();
-        share_plan(&mut files.sets.iter_mut().chain(further).collect::<Vec<_>>()).map_err(|d| vec![d])?;
+        share_plan(&mut files.sets.iter_mut().chain(further).collect::<Vec<_>>())?;
         Ok(files)
     }
 
+    /// Everything that is measured of each pattern by itself.
+    fn measure(&self, patterns: &[(String, Pattern)], arguments: &Arguments) -> Vec<Set> {
+        let (buildings, streets) = (self.buildings(), self.streets());
+        let to_building = |w: &Window, p: DVec2| if w.contains(p) { 0.0 } else { w.distance_to_rim(p) };
+        let measure = |(name, pattern): &(String, Pattern)| {
+            let reach = arguments.rmax.unwrap_or_else(|| default_reach(pattern));
+            let mut set = Set::measure(name, pattern, reach, arguments.radii.into());
+            let points = || pattern.points().iter();
+            set.add("to buildings", buildings.as_ref().map(|w| points().map(|p| to_building(w, *p))));
+            set.add("to streets", streets.as_ref().map(|s| points().map(|p| s.distance(*p))));
+            set
+        };
+        patterns.iter().map(measure).collect()
+    }
+
     /// The points of a file in their window; what is assumed or left out is told.
-    fn pattern(&self, source: &Source, kind: Option<&str>) -> Result<Pattern, Diagnostic> {
-        let refused = |message: String| Diagnostic::data("points", &*source.path, message);
+    fn pattern(&self, source: &Source, kind: Option<&str>) -> Result<Pattern, Vec<Diagnostic>> {
+        let refused = |message: String| vec![Diagnostic::data("points", &*source.path, message)];
         let points = source.points_of(kind);
         if let Some(kind) = kind.filter(|_| points.is_empty()) {
             let mut words: Vec<String> = source.points.iter().map(|(_, word)| format!("`{word}`")).collect();
@@ -148,9 +154,9 @@ impl Files {
         Ok(pattern)
     }
 
-    fn window(&self, source: &Source, points: &[DVec2]) -> Result<Window, Diagnostic> {
+    fn window(&self, source: &Source, points: &[DVec2]) -> Result<Window, Vec<Diagnostic>> {
         if let Some(file) = &self.window {
-            let refused = || Diagnostic::data("points", &*file.path, "the window has no polygon, and so no area");
+            let refused = || vec![Diagnostic::data("points", &*file.path, "the window has no polygon, and so no area")];
             return Window::new(&file.all_areas()).ok_or_else(refused);
         }
         if let Some(lots) = Window::new(&source.areas_of(&Kind::Lot)) {
@@ -159,9 +165,9 @@ impl Files {
         show::tell(format_args!("{}: no window is given: the convex hull of the points is taken", source.path));
         let hull = Polygon::new(&convex_hull(points), &[]).map(Area::from);
         Window::new(&hull).ok_or_else(|| {
-            let count = counted(points.len(), "point");
-            Diagnostic::data("points", &*source.path, format!("the convex hull of {count} has no area"))
-                .hint("give the polygons in which they were observed: `--window lots.geojson`")
+            let message = format!("the convex hull of {} has no area", counted(points.len(), "point"));
+            let hint = "give the polygons in which they were observed: `--window lots.geojson`";
+            vec![Diagnostic::data("points", &*source.path, message).hint(hint)]
         })
     }
 

@@ -23,12 +23,7 @@ pub(super) struct Grid {
 impl Grid {
     /// A place of the lattice in the plan.
     pub fn place(&self, row: i64, column: i64) -> DVec2 {
-        self.to_plan(DVec2::new(column as f64 + self.shift(row), row as f64) * self.step)
-    }
-
-    /// From the lattice's own metres to the plan.
-    pub fn to_plan(&self, q: DVec2) -> DVec2 {
-        self.origin + self.axis.rotate(q)
+        self.origin + self.axis.rotate(DVec2::new(column as f64 + self.shift(row), row as f64) * self.step)
     }
 
     /// The cells, each a row and a column, that come within `reach` (half their size in steps, and a little more) of

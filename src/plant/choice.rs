@@ -78,8 +78,14 @@ impl<'a> Stock<'a> {
         self.len() == 0
     }
 
-    /// So many of each kind as the share of trees asks, drawn without preference.
+    /// So many of each kind as the share of trees asks, drawn without preference; a kind there is none of leaves its
+    /// share to the other.
     fn part(&self, count: usize, share: f64, seed: Seed) -> Stock<'a> {
+        let share = match (self.trees.is_empty(), self.shrubs.is_empty()) {
+            (true, _) => 0.0,
+            (_, true) => 1.0,
+            _ => share,
+        };
         let trees = (count as f64 * share).round() as usize;
         let trees = trees.max(usize::from(share > 0.0));
         let shrubs = count.saturating_sub(trees).max(usize::from(share < 1.0));

@@ -115,6 +115,11 @@ impl Growth {
         self.curves.map_or(self.stages.last_age(), |curves| curves.ages[1])
     }
 
+    /// Whether its sizes follow curves fitted to measured trees.
+    pub fn is_measured(&self) -> bool {
+        self.curves.is_some()
+    }
+
     /// Bisects the ages, over which sizes only grow.
     fn last_age_when(&self, holds: impl Fn(&Sizes) -> bool) -> f64 {
         let (mut low, mut high) = (0.0, self.last_age());

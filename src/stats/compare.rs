@@ -30,8 +30,8 @@ pub struct Distances {
     /// Wasserstein-1 between the distances to the rims.
     pub rim: f64,
     /// Root of the mean square difference of g, from the wider kernel's bandwidth to the nearer of the two reaches; no
-    /// unit.
-    pub pair_correlation: f64,
+    /// unit. `None` where a window is so narrow that nothing lies between.
+    pub pair_correlation: Option<f64>,
     /// The largest difference of L.
     pub l: f64,
 }
@@ -57,7 +57,7 @@ fn distances(a: &Pattern, b: &Pattern) -> Distances {
     Distances {
         nearest: wasserstein(&nearest_neighbours(a.points()), &nearest_neighbours(b.points())),
         rim: wasserstein(&a.distances_to_rim(), &b.distances_to_rim()),
-        pair_correlation: (squares / g.len().max(1) as f64).sqrt(),
+        pair_correlation: (!g.is_empty()).then(|| (squares / g.len() as f64).sqrt()),
         l: differences(&curves_a.l_less_r(), &curves_b.l_less_r()).into_iter().fold(0.0, f64::max),
     }
 }

@@ -18,7 +18,7 @@ pub use curves::{Curves, bandwidth, curves, default_reach};
 pub use nearest::{nearest_between, nearest_neighbours};
 pub use pattern::{Pattern, PatternError};
 pub use segments::Segments;
-pub use summary::{ClarkEvans, Spread, Summary, clark_evans, summary};
+pub use summary::{ClarkEvans, Spread, Summary, clark_evans, shares_within, summary};
 pub use window::Window;
 
 /// Points that one thread works on at a time: sums are added up in the order of the chunks.

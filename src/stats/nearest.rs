@@ -59,7 +59,7 @@ impl Nearest<'_> {
                     break;
                 }
             }
-            if best.is_finite() || reach > 2.0 * farthest {
+            if best.is_finite() || reach >= 2.0 * farthest {
                 return best.sqrt();
             }
             reach *= 2.0;

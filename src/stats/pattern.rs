@@ -2,8 +2,9 @@
 //!
 //! In: points and a window in plane metres. Out: the points that lie inside, and how many do not.
 
+use crate::placement::{PlacementError, uniform};
+use crate::seed::Seed;
 use crate::stats::Window;
-use crate::{placement, seed::Seed};
 use glam::DVec2;
 
 /// Points in a window, at least two.
@@ -39,11 +40,9 @@ impl Pattern {
     }
 
     /// As many points anywhere in the same window: complete spatial randomness, the baseline of every statistic.
-    pub fn random(&self, seed: Seed) -> Pattern {
-        let points = placement::uniform(self.window.region(), self.points.len(), seed).unwrap_or_default();
-        // Beyond the sampler's limit there is no baseline but the points themselves.
-        let points = if points.len() == self.points.len() { points } else { self.points.clone() };
-        Pattern { points, window: self.window.clone(), outside: 0 }
+    pub fn random(&self, seed: Seed) -> Result<Pattern, PlacementError> {
+        let points = uniform(self.window.region(), self.points.len(), seed)?;
+        Ok(Pattern { points, window: self.window.clone(), outside: 0 })
     }
 
     /// The points.

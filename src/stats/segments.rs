@@ -17,13 +17,9 @@ impl Segments {
     /// Segments by their ends. Such that are not finite are never found.
     pub fn new(ends: Vec<(DVec2, DVec2)>) -> Segments {
         let boxes: Vec<Bounds> = ends.iter().map(|(a, b)| Bounds::of([*a, *b])).collect();
-        let bounds = boxes.iter().copied().fold(Bounds::EMPTY, Bounds::union);
+        let finite = boxes.iter().filter(|b| b.min.is_finite() && b.max.is_finite());
+        let bounds = finite.copied().fold(Bounds::EMPTY, Bounds::union);
         Segments { grid: BoxGrid::new(&boxes), ends, bounds }
-    }
-
-    /// The ends of all of them.
-    pub fn ends(&self) -> &[(DVec2, DVec2)] {
-        &self.ends
     }
 
     /// Distance to the nearest, metres; infinite where there is none.
@@ -37,21 +33,20 @@ impl Segments {
         let size = self.bounds.size();
         let mut reach = away + size.length() / (self.ends.len() as f64).sqrt() + f64::MIN_POSITIVE;
         loop {
-            let found = self.within(p, reach).map(|(_, near, _)| near).fold(f64::INFINITY, f64::min);
-            if found <= reach || reach > 2.0 * (away + size.length()) {
+            let found = self.within(p, reach).map(|(near, ..)| near).fold(f64::INFINITY, f64::min);
+            if found <= reach || reach >= 2.0 * (away + size.length()) {
                 return found;
             }
             reach *= 2.0;
         }
     }
 
-    /// Every segment with a point in the square around `p` that reaches `reach` metres far: its index, and its
-    /// distance from `p`.
-    pub fn within(&self, p: DVec2, reach: f64) -> impl Iterator<Item = (usize, f64, (DVec2, DVec2))> {
+    /// Every segment near the square around `p` that reaches `reach` metres far: its distance from `p`, and its ends.
+    pub(super) fn within(&self, p: DVec2, reach: f64) -> impl Iterator<Item = (f64, DVec2, DVec2)> {
         let square = Bounds { min: p - reach, max: p + reach };
         self.grid.touching(square).map(move |index| {
             let (a, b) = self.ends[index];
-            (index, nearest_on_segment(p, a, b).distance(p), (a, b))
+            (nearest_on_segment(p, a, b).distance(p), a, b)
         })
     }
 

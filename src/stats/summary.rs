@@ -61,7 +61,7 @@ pub fn clark_evans(pattern: &Pattern, nearest: &[f64]) -> ClarkEvans {
     let mean = nearest.iter().sum::<f64>() / nearest.len() as f64;
     let expected = 0.5 / pattern.density().sqrt();
     let count = pattern.points().len() as f64;
-    let edge = (0.0514 + 0.041 / count.sqrt()) * pattern.window().perimeter() / count;
+    let edge = (0.0514 + 0.0412 / count.sqrt()) * pattern.window().perimeter() / count;
     ClarkEvans { naive: mean / expected, donnelly: mean / (expected + edge) }
 }
 
@@ -79,6 +79,15 @@ impl Spread {
         let deviation = (squares / (count - 1.0).max(1.0)).sqrt();
         Spread { mean, deviation, quantiles: [0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0].map(|q| quantile(&sorted, q)) }
     }
+}
+
+/// The distribution of a sample: which share of it is not above each of the radii, which must ascend. Zeros for an empty
+/// sample. n log n.
+pub fn shares_within(sample: &[f64], radii: &[f64]) -> Vec<f64> {
+    let mut sorted = sample.to_vec();
+    sorted.sort_unstable_by(f64::total_cmp);
+    let count = sorted.len().max(1) as f64;
+    radii.iter().map(|radius| sorted.partition_point(|v| v <= radius) as f64 / count).collect()
 }
 
 fn quantile(sorted: &[f64], share: f64) -> f64 {

@@ -6,6 +6,7 @@
 use crate::geometry::{Area, union_all};
 use crate::stats::Segments;
 use glam::DVec2;
+use std::cmp::Ordering;
 
 /// Points nearer than this (metres) to the rim lie on it: positions in files are rounded.
 const ON_RIM: f64 = 1e-6;
@@ -52,7 +53,8 @@ impl Window {
 
     /// Whether the point lies inside or on the rim (within a micrometre). About the root of the number of edges.
     pub fn contains(&self, p: DVec2) -> bool {
-        p.is_finite() && (self.rim.crossings_right_of(p) % 2 == 1 || self.rim.within(p, ON_RIM).any(|e| e.1 <= ON_RIM))
+        p.is_finite()
+            && (self.rim.crossings_right_of(p) % 2 == 1 || self.rim.within(p, ON_RIM).any(|(away, ..)| away <= ON_RIM))
     }
 
     /// Distance to the rim in metres, from inside or outside.
@@ -70,10 +72,9 @@ impl Window {
     /// Fills `near` with the edges within `reach` metres of `p`.
     pub(super) fn look(&self, p: DVec2, reach: f64, near: &mut Near) {
         near.edges.clear();
-        let within = self.rim.within(p, reach).filter(|(_, distance, _)| *distance < reach);
-        near.edges.extend(within.map(|(_, distance, (a, b))| (distance, a - p, b - p)));
-        near.edges
-            .sort_unstable_by(|x, y| x.0.total_cmp(&y.0).then(x.1.x.total_cmp(&y.1.x)).then(x.1.y.total_cmp(&y.1.y)));
+        let within = self.rim.within(p, reach).filter(|(distance, ..)| *distance < reach);
+        near.edges.extend(within.map(|(distance, a, b)| (distance, a - p, b - p)));
+        near.edges.sort_unstable_by(|x, y| x.0.total_cmp(&y.0).then(order(x.1, y.1)).then(order(x.2, y.2)));
     }
 }
 
@@ -121,4 +122,9 @@ impl Near {
         let turn = std::f64::consts::TAU;
         (sum + if first_ends { turn } else { 0.0 }) / turn
     }
+}
+
+/// Any order that depends on the numbers alone.
+fn order(a: DVec2, b: DVec2) -> Ordering {
+    a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
 }

@@ -42,8 +42,12 @@ fn a_lattice_is_measured_in_its_window() {
     close(&set["nearest_neighbour"]["p50"], 10.0);
     close(&set["to_window"]["least"], 5.0);
     let table = bench.text("a.csv");
-    assert!(table.starts_with("set,r,k,l_less_r,g\r\n\"trees.geojson\",0.3125,0,"), "{table}");
+    assert!(
+        table.starts_with("set,r,k,l_less_r,g,nearest_within,window_within\r\n\"trees.geojson\",0.3125,0,"),
+        "{table}"
+    );
     assert_eq!(table.lines().count(), 65);
+    assert!(table.ends_with(",1,0.64\r\n"), "64 of the 100 trees are no farther than 20 m from the edge: {table}");
 }
 
 #[test]
@@ -92,7 +96,7 @@ fn tables_stand_in_the_system_of_their_window() {
     let bench = bench().with("trees.csv", "x,y,kind\n10,10,tree\n20,10,tree\n90,90,shrub\n");
     bench.bosquet("stats trees.csv --window lots.geojson --kind tree --json a.json").ends(0);
     close(&bench.json("a.json")["sets"][0]["nearest_neighbour"]["mean"], 10.0);
-    let degrees = LOTS.replace(r#""crs": "local","#, "");
+    let degrees = LOTS.replace(r#""crs": "local","#, "").replace("100", "0.02").replace("50", "0.01");
     let bench = bench.with("degrees.geojson", degrees);
     bench.bosquet("stats trees.csv --window degrees.geojson").ends(1).says(&["trees.csv", "in metres", "`WGS84`"]);
     let ran = bench.bosquet("stats trees.csv --window lots.geojson --kind hedge").ends(1);

@@ -7,6 +7,7 @@ use crate::geometry::Polygon;
 use crate::geometry::medial::check::Rim;
 use crate::geometry::medial::skeleton::{Link, Skeleton};
 use glam::DVec2;
+use smallvec::SmallVec;
 use spade::handles::FixedVertexHandle;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
@@ -16,6 +17,9 @@ const STEP: f64 = 0.5;
 /// Points on the rim at most, corners not counted.
 const MOST_STEPS: f64 = 4000.0;
 
+/// Triangles whose centres are nearer than this (metres) to the rim come from rounding, on either side of it.
+const SLIVER: f64 = 1e-6;
+
 type Mesh = ConstrainedDelaunayTriangulation<Point2<f64>>;
 
 /// The skeleton; without nodes where nothing can be triangulated. Costs vertices times triangles.
@@ -24,10 +28,18 @@ pub(super) fn skeleton(polygon: &Polygon, rim: &Rim) -> Skeleton {
     let mut numbers = vec![u32::MAX; mesh.num_all_faces()];
     let mut skeleton = Skeleton::default();
     for face in mesh.inner_faces() {
-        let centre = face.center();
-        if polygon.contains(DVec2::new(centre.x, centre.y)) {
+        let centre = rim.bead(plan(face.center()));
+        if centre.clearance > SLIVER && polygon.contains(centre.point) {
             numbers[face.fix().index()] = skeleton.nodes.len() as u32;
-            skeleton.nodes.push(rim.bead(DVec2::new(centre.x, centre.y)));
+            let inner: SmallVec<[DVec2; 3]> = face
+                .adjacent_edges()
+                .iter()
+                .filter(|e| !e.is_constraint_edge())
+                .map(|e| middle(e.positions()))
+                .collect();
+            // Between two inner edges the axis goes straight on.
+            let node = if let [a, b] = inner[..] { rim.bead((a + b) * 0.5) } else { centre };
+            skeleton.nodes.push(node);
         }
     }
     for edge in mesh.undirected_edges().filter(|edge| !edge.is_constraint_edge()) {
@@ -37,11 +49,18 @@ pub(super) fn skeleton(polygon: &Polygon, rim: &Rim) -> Skeleton {
             continue;
         }
         let first = skeleton.beads.len() as u32;
-        let [a, b] = edge.positions().map(|p| DVec2::new(p.x, p.y));
-        skeleton.beads.push(rim.bead((a + b) * 0.5));
+        skeleton.beads.push(rim.bead(middle(edge.positions())));
         skeleton.links.push(Link { ends, inner: [first, first + 1] });
     }
     skeleton
+}
+
+fn plan(p: Point2<f64>) -> DVec2 {
+    DVec2::new(p.x, p.y)
+}
+
+fn middle([a, b]: [Point2<f64>; 2]) -> DVec2 {
+    (plan(a) + plan(b)) * 0.5
 }
 
 fn triangulated(polygon: &Polygon) -> Mesh {

@@ -19,6 +19,8 @@ pub(super) struct Outline {
     pub next: Vec<u32>,
     /// Whether the inside has more than a half turn at each vertex.
     pub reflex: Vec<bool>,
+    /// Whether the rim comes by each vertex more than once.
+    pub shared: Vec<bool>,
     /// How many separate pieces the axis must have: 1, unless the rim touches itself.
     pub pieces: usize,
     /// How many loops the axis must have: one for each hole.
@@ -39,7 +41,8 @@ impl Outline {
     /// nothing is left or edges meet between their ends.
     pub fn new(polygon: &Polygon, turn: f64) -> Option<Outline> {
         let frame = Frame::new(polygon.bounds(), turn)?;
-        let mut outline = Outline { points: vec![], next: vec![], reflex: vec![], pieces: 1, loops: 0, frame };
+        let mut outline =
+            Outline { points: vec![], next: vec![], reflex: vec![], shared: vec![], pieces: 1, loops: 0, frame };
         for (i, ring) in polygon.rings().enumerate() {
             if !outline.push(ring) && i == 0 {
                 return None;
@@ -53,6 +56,15 @@ impl Outline {
     /// The edge that starts at a vertex.
     pub fn edge(&self, start: usize) -> [[i32; 2]; 2] {
         [self.points[start], self.points[self.next[start] as usize]]
+    }
+
+    /// Whether a place on the grid is inside. Linear.
+    pub fn contains(&self, p: DVec2) -> bool {
+        let crosses = |i: &usize| {
+            let [a, b] = self.edge(*i).map(|q| DVec2::new(f64::from(q[0]), f64::from(q[1])));
+            (a.y > p.y) != (b.y > p.y) && ((b - a).perp_dot(p - a) > 0.0) == (b.y > a.y)
+        };
+        (0..self.points.len()).filter(crosses).count() % 2 == 1
     }
 
     /// A place on the grid in the plan.
@@ -109,12 +121,14 @@ impl Outline {
         let mut joined = Joined::new(self.points.len());
         let mut clusters = self.points.len();
         let mut shared = 0;
+        self.shared = vec![false; self.points.len()];
         for i in 0..self.points.len() {
             clusters -= usize::from(joined.join(i as u32, self.next[i]));
         }
         let rings = clusters;
         for pair in order.windows(2).filter(|w| self.points[w[0] as usize] == self.points[w[1] as usize]) {
             shared += 1;
+            pair.iter().for_each(|i| self.shared[*i as usize] = true);
             clusters -= usize::from(joined.join(pair[0], pair[1]));
         }
         self.loops = clusters - 1;

@@ -38,17 +38,23 @@ impl Skeleton {
     pub fn branches(&self, prune: f64, part: u32, first: u32) -> Vec<Branch> {
         let lengths: Vec<f64> = self.links.iter().map(|link| self.length(link)).collect();
         let mut alive = vec![true; self.links.len()];
+        let mut web = Web::new(self, &alive);
+        let mut lone: Vec<u32> = (0..self.nodes.len() as u32).filter(|node| web.degree(*node) == 0).collect();
         loop {
-            let web = Web::new(self, &alive);
             let chains = web.chains(self, &alive);
             let doomed: Vec<&Chain> =
                 chains.iter().filter(|chain| self.is_short(chain, &web, &lengths, prune)).collect();
-            if doomed.is_empty() || doomed.len() == chains.len() {
-                let lone = if chains.is_empty() { self.widest() } else { doomed.first().map(|c| web.junction(c)) };
-                let branch = |chain: &Chain| self.branch(chain, part, first);
-                return lone.map_or_else(|| chains.iter().map(branch).collect(), |node| self.point(node, part, first));
+            if doomed.is_empty() {
+                let points = lone.iter().map(|node| self.point(*node, part, first));
+                return chains.iter().map(|chain| self.branch(chain, part, first)).chain(points).collect();
             }
             doomed.iter().flat_map(|chain| &chain.steps).for_each(|(link, _)| alive[*link as usize] = false);
+            let mut junctions: Vec<u32> = doomed.iter().map(|chain| web.junction(chain)).collect();
+            junctions.sort_unstable();
+            junctions.dedup();
+            web = Web::new(self, &alive);
+            // A junction that loses all its branches is what remains of them.
+            lone.extend(junctions.into_iter().filter(|node| web.degree(*node) == 0));
         }
     }
 
@@ -72,20 +78,11 @@ impl Skeleton {
         })
     }
 
-    /// The node with the greatest clearance.
-    fn widest(&self) -> Option<u32> {
-        let widest = (0..self.nodes.len()).max_by(|a, b| {
-            let clearance = |i: usize| self.nodes[i].clearance;
-            clearance(*a).total_cmp(&clearance(*b)).then(b.cmp(a))
-        });
-        widest.map(|node| node as u32)
-    }
-
     /// The axis that is a single point.
-    fn point(&self, node: u32, part: u32, first: u32) -> Vec<Branch> {
+    fn point(&self, node: u32, part: u32, first: u32) -> Branch {
         let bead = self.nodes[node as usize];
         let nodes = [first + node; 2];
-        vec![Branch { points: vec![bead.point], clearances: vec![bead.clearance], nodes, part }]
+        Branch { points: vec![bead.point], clearances: vec![bead.clearance], nodes, part }
     }
 
     fn branch(&self, chain: &Chain, part: u32, first: u32) -> Branch {

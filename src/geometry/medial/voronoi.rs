@@ -40,8 +40,15 @@ pub(super) fn skeleton(outline: &Outline, corner: f64) -> Option<Skeleton> {
 enum Site {
     /// A vertex, by its number.
     Corner(usize, DVec2),
-    /// An edge, by the number of its start.
-    Edge(usize, [DVec2; 2]),
+    /// An edge.
+    Edge([DVec2; 2]),
+}
+
+impl Site {
+    /// Whether it is a corner where rings touch.
+    fn is_shared(self, outline: &Outline) -> bool {
+        matches!(self, Site::Corner(index, _) if outline.shared[index])
+    }
 }
 
 struct Reader<'a> {
@@ -85,7 +92,7 @@ impl Reader<'_> {
         let start = cell.source_index().usize();
         let end = self.outline.next[start] as usize;
         Some(match cell.source_category() {
-            SourceCategory::Segment => Site::Edge(start, [self.vertex(start), self.vertex(end)]),
+            SourceCategory::Segment => Site::Edge([self.vertex(start), self.vertex(end)]),
             SourceCategory::SegmentEnd => Site::Corner(end, self.vertex(end)),
             SourceCategory::SegmentStart | SourceCategory::SinglePoint => Site::Corner(start, self.vertex(start)),
         })
@@ -105,23 +112,25 @@ impl Reader<'_> {
     fn is_inside(&self, left: Site, right: Site, a: DVec2, b: DVec2) -> bool {
         let side = |site: Site| match site {
             Site::Corner(index, _) => Err(self.outline.reflex[index]),
-            Site::Edge(_, [from, to]) => {
+            Site::Edge([from, to]) => {
                 let (p, q) = ((to - from).perp_dot(a - from), (to - from).perp_dot(b - from));
                 Ok(if p.abs() > q.abs() { p > 0.0 } else { q > 0.0 })
             }
         };
         match (side(left), side(right)) {
             (Ok(inside), _) | (_, Ok(inside)) => inside,
+            // Where rings touch, a corner has several sides.
+            _ if [left, right].iter().any(|site| site.is_shared(self.outline)) => self.outline.contains((a + b) * 0.5),
             (Err(left), Err(right)) => left && right,
         }
     }
 
     /// What to do with an edge that starts in a corner of the rim; `None` where it does not.
     fn corner_of(&self, left: Site, right: Site, a: DVec2, b: DVec2) -> Option<Run> {
-        let (Site::Edge(i, [_, end]), Site::Edge(j, [_, other])) = (left, right) else { return None };
+        let (Site::Edge([start, end]), Site::Edge([begin, other])) = (left, right) else { return None };
         let corner = match () {
-            () if self.outline.next[i] as usize == j => end,
-            () if self.outline.next[j] as usize == i => other,
+            () if start == other || start == begin => start,
+            () if end == other || end == begin => end,
             () => return None,
         };
         let far = usize::from(a.distance_squared(corner) < b.distance_squared(corner));
@@ -148,8 +157,7 @@ impl Reader<'_> {
 
     fn link(&mut self, ends: [u32; 2], sites: [Site; 2], [a, b]: [DVec2; 2]) {
         let first = self.skeleton.beads.len() as u32;
-        if let [Site::Corner(_, focus), Site::Edge(_, directrix)] | [Site::Edge(_, directrix), Site::Corner(_, focus)] =
-            sites
+        if let [Site::Corner(_, focus), Site::Edge(directrix)] | [Site::Edge(directrix), Site::Corner(_, focus)] = sites
         {
             self.arc(focus, directrix, [a, b]);
         }
@@ -190,6 +198,6 @@ enum Run {
 fn clearance(site: Site, p: DVec2) -> f64 {
     match site {
         Site::Corner(_, q) => p.distance(q),
-        Site::Edge(_, [from, to]) => ((to - from).perp_dot(p - from) / from.distance(to)).abs(),
+        Site::Edge([from, to]) => ((to - from).perp_dot(p - from) / from.distance(to)).abs(),
     }
 }
