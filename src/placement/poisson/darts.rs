@@ -8,8 +8,10 @@ use crate::seed::{Random, Seed};
 use glam::DVec2;
 use std::ops::Range;
 
-/// Levels of squares: what could still be free after them is smaller than any tolerance.
-const LEVELS: usize = 32;
+/// Levels of squares: what could still be free after them is narrower than a millimetre. Where two conditions leave no
+/// more than a line, as between a wall and an edge just as far away as its envelope reaches, each level has twice as
+/// many squares along it, and more levels would never end.
+const LEVELS: usize = 14;
 /// More squares at once would only come from a gap in the reasoning above; they are then given up.
 const MOST_SQUARES: usize = 200_000_000;
 
