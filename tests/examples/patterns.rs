@@ -32,14 +32,14 @@ fn patterns_have_neither_errors_nor_lints() {
     }
 }
 
-/// A lot of 60 × 40 m with a house, in each zone.
+/// A lot of 60 × 40 m with a house in its corner, in each zone.
 fn layout(zone: &str) -> String {
     format!(
         r#"{{"type": "FeatureCollection", "crs": "local", "features": [
         {{"type": "Feature", "properties": {{"id": "lot", "kind": "lot", "zone": "{zone}"}}, "geometry":
           {{"type": "Polygon", "coordinates": [[[0, 0], [60, 0], [60, 40], [0, 40], [0, 0]]]}}}},
         {{"type": "Feature", "properties": {{"id": "house", "kind": "building"}}, "geometry":
-          {{"type": "Polygon", "coordinates": [[[24, 16], [36, 16], [36, 25], [24, 25], [24, 16]]]}}}}]}}"#
+          {{"type": "Polygon", "coordinates": [[[2, 28], [12, 28], [12, 38], [2, 38], [2, 28]]]}}}}]}}"#
     )
 }
 

@@ -1,8 +1,8 @@
 //! A place as the command derives it, and the plants that it wrote, for measuring.
 
 use bosquet::export::plants::read_plants;
-use bosquet::geometry::{Area, Polygon, nearest_on_segment};
-use bosquet::layout::{Layout, Shapes, read_geojson};
+use bosquet::geometry::{Area, Polygon, stroke};
+use bosquet::layout::{Kind, Layout, Shapes, read_geojson};
 use bosquet::scene::Plant;
 use glam::DVec2;
 use std::path::{Path, PathBuf};
@@ -56,7 +56,14 @@ impl Ran {
 /// A place and its plants.
 pub struct Planting {
     layout: Layout,
+    features: Vec<(Kind, Extent)>,
     plants: Vec<Plant>,
+}
+
+/// Where a feature is.
+enum Extent {
+    Areas(Vec<Polygon>),
+    Points(Vec<DVec2>),
 }
 
 impl Planting {
@@ -70,7 +77,8 @@ impl Planting {
         let written = std::fs::read(ran.file("plants.csv")).expect("the plants");
         let plants = read_plants(&written, &layout.georeference).expect("plants as they were written");
         assert!(!plants.is_empty(), "{place} has no plants");
-        Planting { layout, plants }
+        let features = layout.features.iter().map(|f| (f.kind.clone(), Extent::of(&f.shapes))).collect();
+        Planting { layout, features, plants }
     }
 
     /// Of the place of a figure.
@@ -112,21 +120,28 @@ impl Planting {
 
     /// Metres from a point to the nearest feature of a kind, 0 inside of areas.
     pub fn to(&self, kind: &str, p: DVec2) -> f64 {
-        let features = self.layout.features.iter().filter(|feature| feature.kind.word() == kind);
-        features.map(|feature| distance(&feature.shapes, p)).fold(f64::INFINITY, f64::min)
+        let features = self.features.iter().filter(|(of, _)| of.word() == kind);
+        features.map(|(_, extent)| extent.distance(p)).fold(f64::INFINITY, f64::min)
     }
 }
 
-/// Metres to the nearest place of a feature; lines have their width.
-fn distance(shapes: &Shapes, p: DVec2) -> f64 {
-    match shapes {
-        Shapes::Areas(polygons) => polygons.iter().map(|polygon| outside(polygon, p)).fold(f64::INFINITY, f64::min),
-        Shapes::Lines(lines, width) => {
-            let segments = lines.iter().flat_map(|line| line.windows(2));
-            let near = |w: &[DVec2]| nearest_on_segment(p, w[0], w[1]).distance(p);
-            (segments.map(near).fold(f64::INFINITY, f64::min) - width / 2.0).max(0.0)
+impl Extent {
+    /// Lines are strips of their width.
+    fn of(shapes: &Shapes) -> Extent {
+        match shapes {
+            Shapes::Areas(polygons) => Extent::Areas(polygons.clone()),
+            Shapes::Lines(lines, width) => {
+                Extent::Areas(lines.iter().flat_map(|line| stroke(line, *width).polygons().to_vec()).collect())
+            }
+            Shapes::Points(points) => Extent::Points(points.clone()),
         }
-        Shapes::Points(points) => points.iter().map(|q| q.distance(p)).fold(f64::INFINITY, f64::min),
+    }
+
+    fn distance(&self, p: DVec2) -> f64 {
+        match self {
+            Extent::Areas(polygons) => polygons.iter().map(|polygon| outside(polygon, p)).fold(f64::INFINITY, f64::min),
+            Extent::Points(points) => points.iter().map(|q| q.distance(p)).fold(f64::INFINITY, f64::min),
+        }
     }
 }
 
