@@ -7,9 +7,6 @@ use crate::geometry::Bounds;
 use glam::DVec2;
 use std::sync::Arc;
 
-/// Metres by which a box is widened before its nodes are looked up, against rounding.
-const SLACK: f64 = 1e-9;
-
 /// A number that may vary over the plan.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Field {
@@ -44,13 +41,7 @@ impl Grid {
 
     /// The value at a place.
     pub fn at(&self, p: DVec2) -> f64 {
-        let q = self.cell_of(p);
-        let (column, row) = (self.below(q.x, self.columns), self.below(q.y, self.rows));
-        let (fx, fy) = (q.x - column as f64, q.y - row as f64);
-        let value = |c: usize, r: usize| self.values[r * self.columns + c];
-        let low = value(column, row) * (1.0 - fx) + value(column + 1, row) * fx;
-        let high = value(column, row + 1) * (1.0 - fx) + value(column + 1, row + 1) * fx;
-        low * (1.0 - fy) + high * fy
+        self.between(self.cell_of(p))
     }
 
     /// The mean of its nodes.
@@ -58,15 +49,26 @@ impl Grid {
         self.values.iter().sum::<f64>() / self.values.len() as f64
     }
 
-    /// The least and the greatest value over a box: those of the nodes of all meshes that the box touches.
+    /// The least and the greatest value over a box.
     pub fn extremes_in(&self, bounds: Bounds) -> [f64; 2] {
-        let (low, high) = (self.cell_of(bounds.min - SLACK), self.cell_of(bounds.max + SLACK));
-        let columns = self.below(low.x, self.columns)..=self.below(high.x, self.columns) + 1;
-        let rows = self.below(low.y, self.rows)..=self.below(high.y, self.rows) + 1;
-        let nodes = rows.flat_map(|row| columns.clone().map(move |column| row * self.columns + column));
-        nodes.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], node| {
-            [least.min(self.values[node]), most.max(self.values[node])]
-        })
+        // Within a mesh the value is greatest and least at corners: of the box, of the mesh, or where their sides cross.
+        let (low, high) = (self.cell_of(bounds.min), self.cell_of(bounds.max));
+        let lines = |low: f64, high: f64| {
+            let inner = (low as usize + 1..).map(|line| line as f64).take_while(move |line| *line < high);
+            std::iter::once(low).chain(inner).chain(std::iter::once(high))
+        };
+        let corners = lines(low.y, high.y).flat_map(|y| lines(low.x, high.x).map(move |x| DVec2::new(x, y)));
+        corners.map(|q| self.between(q)).fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(v), b.max(v)])
+    }
+
+    /// The value at a place in steps of the grid.
+    fn between(&self, q: DVec2) -> f64 {
+        let (column, row) = (self.below(q.x, self.columns), self.below(q.y, self.rows));
+        let (fx, fy) = (q.x - column as f64, q.y - row as f64);
+        let value = |c: usize, r: usize| self.values[r * self.columns + c];
+        let low = value(column, row) * (1.0 - fx) + value(column + 1, row) * fx;
+        let high = value(column, row + 1) * (1.0 - fx) + value(column + 1, row + 1) * fx;
+        low * (1.0 - fy) + high * fy
     }
 
     /// A place in steps of the grid, held within it.
@@ -95,7 +97,7 @@ impl Field {
         }
     }
 
-    /// Bounds of the value over a box, for a grid by the nodes around it.
+    /// The least and the greatest value over a box.
     pub fn extremes_in(&self, bounds: Bounds) -> [f64; 2] {
         match self {
             Field::Constant(value) => [*value; 2],
@@ -103,12 +105,12 @@ impl Field {
         }
     }
 
-    /// The least value over a box, or less.
+    /// The least value over a box.
     pub fn least_in(&self, bounds: Bounds) -> f64 {
         self.extremes_in(bounds)[0]
     }
 
-    /// The greatest value over a box, or more.
+    /// The greatest value over a box.
     pub fn most_in(&self, bounds: Bounds) -> f64 {
         self.extremes_in(bounds)[1]
     }

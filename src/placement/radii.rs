@@ -61,6 +61,11 @@ impl Radii {
         [self.range(least)[0], self.range(most)[1]]
     }
 
+    /// Where in a box the least radius is least, and where it is greatest: both of them.
+    pub fn lows(&self, min: DVec2, max: DVec2) -> [f64; 2] {
+        self.mean.extremes_in(Bounds { min, max }).map(|mean| self.range(mean)[0])
+    }
+
     /// The least radius anywhere.
     pub fn smallest(&self) -> f64 {
         self.range(self.mean.least())[0]

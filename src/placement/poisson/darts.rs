@@ -8,10 +8,11 @@ use crate::seed::{Random, Seed};
 use glam::DVec2;
 use std::ops::Range;
 
-/// Levels of squares: what could still be free after them is narrower than a millimetre. Where two conditions leave no
-/// more than a line, as between a wall and an edge just as far away as its envelope reaches, each level has twice as
-/// many squares along it, and more levels would never end.
-const LEVELS: usize = 14;
+/// Squares are split until they are this many times smaller than the least radius, or [`FINEST`]. Where two conditions
+/// leave a free strip without width between them (a band as wide as the clearance that it meets) there is no end else.
+const FINENESS: f64 = 1024.0;
+/// A gap that is no wider than this (metres) is none.
+const FINEST: f64 = 1e-3;
 /// More squares at once would only come from a gap in the reasoning above; they are then given up.
 const MOST_SQUARES: usize = 200_000_000;
 
@@ -61,8 +62,9 @@ impl<'a> Darts<'a> {
             let left = self.sweep(&mut first, whole, most, true);
             self.split(&first, left, &mut level);
         }
-        for _ in 0..LEVELS {
-            if level.cells.is_empty() || level.cells.len() > MOST_SQUARES || self.found >= most {
+        let finest = FINEST.min(self.radii.smallest() / FINENESS);
+        while level.cells.first().is_some_and(|cell| cell.square.side > finest) {
+            if level.cells.len() > MOST_SQUARES || self.found >= most {
                 break;
             }
             next.clear();
@@ -133,11 +135,13 @@ impl<'a> Darts<'a> {
     fn split(&mut self, level: &Level, range: Range<usize>, next: &mut Level) {
         for cell in &level.cells[range] {
             let square = &cell.square;
-            let [_, high] = self.radii.span(square.min, square.min + DVec2::splat(square.side));
-            self.lattice.near(cell.tile, square.centre(), high, &mut self.near);
+            let lows = self.radii.lows(square.min, square.min + DVec2::splat(square.side));
+            if !self.lattice.near(cell.tile, square, lows, &mut self.near) {
+                continue;
+            }
             for index in 0..4 {
                 let (min, side) = (square.quarter(index), square.side * 0.5);
-                let [low, _] = self.radii.span(min, min + DVec2::splat(side));
+                let [low, _] = self.radii.lows(min, min + DVec2::splat(side));
                 if covered(min, side, low, &self.near) {
                     continue;
                 }

@@ -112,17 +112,27 @@ impl Lattice {
         room
     }
 
-    /// The disks within `reach` of `p`, rim to centre.
-    pub fn near(&self, tile: u32, p: DVec2, reach: f64, found: &mut Vec<[f64; 3]>) {
+    /// The disks that may cover part of a square with a least radius from `low` to `high` in it; false where one of them
+    /// covers the whole.
+    pub fn near(&self, tile: u32, square: &Square, [low, high]: [f64; 2], found: &mut Vec<[f64; 3]>) -> bool {
         found.clear();
+        let (p, half) = (square.centre(), square.side * 0.5 * (1.0 + 1e-12));
         let (at, most) = (self.at(tile, p), self.tiles[tile as usize].most);
-        for step in self.window.iter().take_while(|step| step.gap < reach + most) {
+        for step in &self.window {
+            if step.gap >= high + most {
+                break;
+            }
             let [x, y, radius] = self.places[(at as i64 + i64::from(step.offset)) as usize];
-            let square = (x - p.x) * (x - p.x) + (y - p.y) * (y - p.y);
-            if square < (reach + radius) * (reach + radius) {
+            let (dx, dy) = ((x - p.x).abs(), (y - p.y).abs());
+            if dx * dx + dy * dy < (radius + high) * (radius + high) {
+                let far = (dx + half) * (dx + half) + (dy + half) * (dy + half);
+                if far < (radius + low) * (radius + low) {
+                    return false;
+                }
                 found.push([x, y, radius]);
             }
         }
+        true
     }
 
     /// Puts a disk into its cell, and into the copies of it.
