@@ -54,6 +54,7 @@ pub mod export;
 pub mod functions;
 pub mod geometry;
 pub mod layout;
+pub mod library;
 pub mod ops;
 pub mod placement;
 pub mod plant;

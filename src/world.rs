@@ -3,6 +3,7 @@
 //! Disk, browser, tests and editor each have one. Paths are as written by the user, joined to the folder of the file
 //! that names them by [`join`]; a world decides what they may reach.
 
+use crate::library;
 use std::sync::Arc;
 
 /// Why a file could not be had.
@@ -42,8 +43,24 @@ pub trait World: Sync {
     fn asset(&self, path: &str) -> Result<Arc<[u8]>, WorldError>;
 }
 
-/// `path` as seen from the file `from`: relative to its folder, with `.` and `..` folded.
+/// The bytes of a rule file: of the pattern library where the path begins with `bosquet:`, else of the world.
+pub fn rules(world: &dyn World, path: &str) -> Result<Arc<[u8]>, WorldError> {
+    if !path.starts_with(library::PREFIX) {
+        return world.source(path);
+    }
+    let text = library::text(path).ok_or_else(|| WorldError::Missing(path.into()))?;
+    Ok(text.as_bytes().into())
+}
+
+/// `path` as seen from the file `from`: relative to its folder, with `.` and `..` folded. Paths into the library stay in
+/// it, and are the same from everywhere.
 pub fn join(from: &str, path: &str) -> String {
+    if path.starts_with(library::PREFIX) {
+        return path.into();
+    }
+    if let Some(inside) = from.strip_prefix(library::PREFIX) {
+        return format!("{}{}", library::PREFIX, join(inside, path));
+    }
     let rooted = path.starts_with('/');
     let base = if rooted { "" } else { from.rsplit_once('/').map_or("", |(folder, _)| folder) };
     let mut parts: Vec<&str> = Vec::new();
@@ -93,5 +110,7 @@ mod tests {
         assert_eq!(join("b.cga", "../c.cga"), "../c.cga");
         assert_eq!(join("/a/b.cga", "./c.cga"), "/a/c.cga");
         assert_eq!(join("a/b.cga", "/c.cga"), "/c.cga");
+        assert_eq!(join("a/b.cga", "bosquet:patterns/c.cga"), "bosquet:patterns/c.cga");
+        assert_eq!(join("bosquet:patterns/c.cga", "../palettes/d.cga"), "bosquet:palettes/d.cga");
     }
 }

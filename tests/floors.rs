@@ -9,6 +9,7 @@ const FLOORS: &[(&str, u32)] = &[
     ("unit", 1),
     ("seed", 1),
     ("text", 1),
+    ("library", 1),
     ("geometry", 2),
     ("value", 2),
     ("diag", 2),

@@ -7,7 +7,7 @@ use crate::check::program::{Attribute, Code, Kind};
 use crate::diag::{Diagnostic, Place, Severity, Span};
 use crate::syntax::ast::{self, FunctionKind, ItemKind};
 use crate::syntax::{Source, parse};
-use crate::world::{World, join};
+use crate::world::{World, join, rules};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -62,7 +62,7 @@ pub(super) type Replacement = (usize, usize, Option<usize>);
 /// Loads `path` and what it imports.
 pub(super) fn load(world: &dyn World, path: &str) -> Loaded {
     let mut loaded = Loaded::default();
-    match world.source(path) {
+    match rules(world, path) {
         Ok(bytes) => {
             let file = loaded.file(path, &bytes);
             loaded.instance(world, file, String::new(), &BTreeMap::new(), &[]);
@@ -190,7 +190,7 @@ impl Loaded {
             self.error("import", span, format!("imports are nested deeper than {DEEPEST_IMPORT}"));
             return None;
         }
-        let bytes = match world.source(&path) {
+        let bytes = match rules(world, &path) {
             Ok(bytes) => bytes,
             Err(error) => {
                 let hint = "paths of imports are relative to the file that imports";

@@ -5,6 +5,7 @@ use crate::cli::outputs::{self, Output};
 use crate::cli::place::{self, Manifest, Plan};
 use bosquet::export::plan::{PlanOptions, PlanSize};
 use bosquet::geometry::Bounds;
+use bosquet::library;
 use std::path::{Path, PathBuf};
 
 /// Arguments of `bosquet derive`.
@@ -94,7 +95,10 @@ impl Job {
         let place = place::find(&arguments.input);
         let manifest = place.as_deref().map(place::read).transpose()?;
         let folder = place.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
-        let here = |path: &String| folder.join(path).to_string_lossy().into_owned();
+        let here = |path: &String| match path.starts_with(library::PREFIX) {
+            true => path.clone(),
+            false => folder.join(path).to_string_lossy().into_owned(),
+        };
         let (layout, rules) = match &manifest {
             Some(Manifest { layout, rules, .. }) => (here(layout), Some(here(rules))),
             None => (arguments.input.to_string_lossy().into_owned(), None),

@@ -30,9 +30,10 @@ impl Board {
     }
 }
 
-/// The names of regions that have one, large regions first.
-pub fn names(lots: &[LotOutline], board: &mut Board, sheet: &Sheet) -> Layer {
-    let mut named: Vec<&LotOutline> = lots.iter().filter(|lot| !lot.name.is_empty()).collect();
+/// The names of regions that have one, large regions first. What the sheet's title says is not said again.
+pub fn names(lots: &[LotOutline], title: &str, board: &mut Board, sheet: &Sheet) -> Layer {
+    let is_named = |lot: &&LotOutline| !lot.name.is_empty() && &*lot.name != title;
+    let mut named: Vec<&LotOutline> = lots.iter().filter(is_named).collect();
     named.sort_by(|a, b| b.area.area().total_cmp(&a.area.area()).then(a.id.cmp(&b.id)));
     let items = named.into_iter().take(MOST).filter_map(|lot| name(lot, board, sheet)).collect();
     Layer { items, ..Layer::new("names", "Names") }

@@ -137,7 +137,7 @@ fn plan_layers(scene: &Scene, options: &PlanOptions, sheet: &Sheet, cabinet: &mu
     layers.push(objects::layer(&scene.objects, sheet));
     let mut board = Board::default();
     if options.names {
-        layers.push(labels::names(&scene.lots, &mut board, sheet));
+        layers.push(labels::names(&scene.lots, &scene.title, &mut board, sheet));
     }
     if options.codes {
         layers.push(planting.codes(&mut board));
