@@ -28,6 +28,8 @@ const BUILT_IN: [(&str, &str); 12] = [
 #[derive(Clone, Debug, Default)]
 pub struct Catalogue {
     entries: Vec<Arc<Entry>>,
+    /// Where the entries of each user's text begin: what shares a name with them stands behind.
+    texts: Vec<usize>,
     covers: Vec<Cover>,
     palettes: Vec<Palette>,
     /// Ids to indices of entries.
@@ -97,6 +99,7 @@ impl Catalogue {
     /// `path` is where the text lies: models are looked up beside it, through the world.
     pub fn extended(&self, path: &str, bytes: &[u8], world: &dyn World) -> (Catalogue, Vec<Diagnostic>) {
         let mut catalogue = self.clone();
+        catalogue.texts.push(catalogue.entries.len());
         let found = read(path, bytes, world, &mut catalogue);
         catalogue.index();
         (catalogue, found)
@@ -106,7 +109,7 @@ impl Catalogue {
     /// empty `kind` means the usual one.
     ///
     /// Case, spaces, hyphens, underscores and the × of hybrids do not count. Where several elements share a
-    /// category, the first that has the type is meant.
+    /// category, the first that has the type is meant; users' own come before the built-in ones.
     pub fn find(&self, name: &str, kind: &str) -> Result<Found<'_>, NotFound> {
         let Some(indices) = self.entry_names.get(&fold(name)) else {
             return Err(NotFound::Element { name: name.into(), suggestion: self.suggest(name) });
@@ -215,10 +218,15 @@ impl Catalogue {
     pub(super) fn index(&mut self) {
         self.entry_names.clear();
         self.cover_names.clear();
-        for (index, entry) in self.entries.iter().enumerate() {
-            self.entry_names.entry(fold(&entry.category)).or_default().push(index);
+        let starts = [0].into_iter().chain(self.texts.iter().copied());
+        let ends = self.texts.iter().copied().chain([self.entries.len()]);
+        let order: Vec<usize> =
+            starts.zip(ends).collect::<Vec<_>>().into_iter().rev().flat_map(|(start, end)| start..end).collect();
+        for index in order.iter().copied() {
+            self.entry_names.entry(fold(&self.entries[index].category)).or_default().push(index);
         }
-        for (index, entry) in self.entries.iter().enumerate() {
+        for index in order {
+            let entry = &self.entries[index];
             for name in entry.all_names().filter(|name| !name.is_empty()) {
                 let indices = self.entry_names.entry(fold(name)).or_default();
                 if !indices.contains(&index) {

@@ -32,12 +32,12 @@ fn patterns_have_neither_errors_nor_lints() {
     }
 }
 
-/// A lot of 60 × 40 m with a house in its corner, in each zone.
+/// A lot of 90 × 40 m with a house in its corner, in each zone.
 fn layout(zone: &str) -> String {
     format!(
         r#"{{"type": "FeatureCollection", "crs": "local", "features": [
         {{"type": "Feature", "properties": {{"id": "lot", "kind": "lot", "zone": "{zone}"}}, "geometry":
-          {{"type": "Polygon", "coordinates": [[[0, 0], [60, 0], [60, 40], [0, 40], [0, 0]]]}}}},
+          {{"type": "Polygon", "coordinates": [[[0, 0], [90, 0], [90, 40], [0, 40], [0, 0]]]}}}},
         {{"type": "Feature", "properties": {{"id": "house", "kind": "building"}}, "geometry":
           {{"type": "Polygon", "coordinates": [[[2, 28], [12, 28], [12, 38], [2, 38], [2, 28]]]}}}}]}}"#
     )
