@@ -1,8 +1,12 @@
 //! Plants by species and age: sizes against measured trees, and the structure of a planting against its parameters.
 
 use bosquet::element::{Catalogue, Entry, Kind};
+use bosquet::geometry::Area;
+use bosquet::layout::Georeference;
 use bosquet::ops::Given;
+use bosquet::placement::Standing;
 use bosquet::plant::{Curve, Growth, Seeds, Stock, Structure, choose, landscape, of_lot, sizes};
+use bosquet::raster::Rasters;
 use bosquet::seed::Seed;
 use bosquet::shape::{Frame, Geometry, Occluders, Ordinals, Place, Placed, Scope, Shape};
 use bosquet::value::Value;
@@ -302,6 +306,7 @@ fn planted(arguments: &[(&str, Value)], radius: f64, seed: u64) -> Shape {
         ordinals: Ordinals { place, ..Ordinals::default() },
         seed: Seed(seed),
     };
+    let world = MemoryWorld::default();
     let given = Given {
         cuts: &[],
         chosen: &[],
@@ -309,10 +314,14 @@ fn planted(arguments: &[(&str, Value)], radius: f64, seed: u64) -> Shape {
         lot: Seed(7),
         run: Seed(1),
         around: &scope,
+        fields: &[],
+        outline: &Area::empty(),
+        standing: &Standing::default(),
         intra: &Occluders::default(),
         inter: &Occluders::default(),
         catalogue: Catalogue::built_in(),
-        world: &MemoryWorld::default(),
+        world: &world,
+        rasters: &Rasters::new(&world, "", Georeference::default()),
         most: 10,
     };
     operation.apply(&mut values, &mut shape, &given).unwrap_or_else(|problem| panic!("{problem:?}"));

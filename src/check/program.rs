@@ -29,8 +29,10 @@ pub struct Program {
     pub zones: Vec<Zone>,
     /// The main file's `start` rule or `@StartRule`.
     pub start: Option<u32>,
-    /// Some rule asks how shapes lie to each other, so the engine keeps what can occlude.
+    /// Some rule asks what lies around a shape, so the engine keeps features and labels.
     pub looks_around: bool,
+    /// Some rule asks how shapes lie to each other, so the engine keeps what it builds as well.
+    pub asks_for_solids: bool,
 }
 
 /// `@Zone(kind, zone)`: the rule begins on regions of that kind and zone.

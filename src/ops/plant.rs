@@ -28,9 +28,9 @@ operation! {
         /// A palette of the catalogue, or a list of species: `"plane; lime; yew"`.
         palette: Word = Word("temperate".into()) => "temperate",
         /// The greatest age in years (α).
-        max_age: f64 = 60.0 => "60",
+        max_age: f64 [0.0, 100.0] = 60.0 => "60",
         /// The least age in years.
-        min_age: f64 = f64::NAN => "half of max_age",
+        min_age: Option<f64> = None => "half of max_age",
         /// No plant is older than it takes to grow so high, in metres; 0 sets no limit.
         max_height: Metres = Metres(0.0) => "0",
         /// The share of trees among the plants, the rest being shrubs (ρ).
@@ -38,7 +38,7 @@ operation! {
         /// The share of the lot's dominant tree among its trees, and of its dominant shrub among its shrubs (θ).
         diversity: Share = Share(0.5) => "0.5",
         /// How many species a lot has, at least one of each kind that is planted (λ).
-        species_count: u32 = 4 => "4",
+        species_count: u32 [1.0, 10.0] = 4 => "4",
         /// How many species the whole layout has (n).
         landscape_species: u32 = 10 => "10",
         /// What pruning leaves of the crown's volume, above 0 to 1: its radius and its height above the lowest leaves
@@ -79,8 +79,8 @@ impl Plant {
         if !(0.0..=OLDEST).contains(&self.max_age) {
             return Err(refused("max_age", "years from 0 to 5000", self.max_age));
         }
-        if !self.min_age.is_nan() && !(0.0..=self.max_age).contains(&self.min_age) {
-            return Err(refused("min_age", "years from 0 to `max_age`", self.min_age));
+        if let Some(age) = self.min_age.filter(|age| !(0.0..=self.max_age).contains(age)) {
+            return Err(refused("min_age", "years from 0 to `max_age`", age));
         }
         if self.max_height.0 < 0.0 {
             return Err(refused("max_height", "metres from 0 up", self.max_height.0));
@@ -109,7 +109,7 @@ impl Plant {
     }
 
     fn age(&self, given: &Given) -> f64 {
-        let least = if self.min_age.is_nan() { self.max_age * 0.5 } else { self.min_age };
+        let least = self.min_age.unwrap_or(self.max_age * 0.5);
         given.seed.draw("age").uniform(least, self.max_age)
     }
 

@@ -18,8 +18,6 @@ macro_rules! strategy {
                 $($own)*
                 /// Standard deviation of the radius (√σ: the paper's σ is a variance), metres.
                 radius_sd: $crate::unit::Metres [0.0, 1.415] = $crate::unit::Metres(0.0) => "0",
-                /// No radius is below this (metres); else below half of `radius`.
-                radius_min: Option<$crate::unit::Metres> = None => "radius / 2",
                 /// The share of the places that is kept (τ).
                 density: $crate::ops::spec::Varying<$crate::unit::Share> [0.0, 1.0]
                     = $crate::ops::spec::Varying($crate::unit::Share(1.0)) => "1",
@@ -27,6 +25,8 @@ macro_rules! strategy {
                 count: Option<u32> = None => "all",
                 /// So many places per m² of the shape instead of all, before `density`.
                 per_area: Option<$crate::unit::PerArea> = None => "all",
+                /// No radius is below this, metres.
+                radius_min: Option<$crate::unit::Metres> = None => "radius / 2",
                 /// What is kept clear of as well: kinds, labels or layers (`"pond kind:building layer:pipes"`).
                 avoid: Option<$crate::ops::Word> = None => "nothing",
                 /// How far (metres).

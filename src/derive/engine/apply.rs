@@ -182,7 +182,7 @@ impl Engine<'_> {
             let size = shape.scope.size;
             self.standing.add(disk(&shape, 0.5 * size.x.max(size.z)));
         }
-        if self.program.looks_around && shape.is_closed() {
+        if self.program.asks_for_solids && shape.is_closed() {
             self.intra.add(Occluder { label: None, layer: None, node: Some(branch), footprint: shape.footprint() });
         }
         self.outcome.leaves.push(LeafOf { node, shape });
