@@ -42,3 +42,13 @@ pub fn text(path: &str) -> Option<&'static str> {
     let inside = path.strip_prefix(PREFIX)?;
     FILES.iter().find(|(path, _)| *path == inside).map(|(_, text)| *text)
 }
+
+/// The files of the library with a path in their folder, to be told where that path leads to none; `None` for paths that
+/// do not lead into the library.
+pub fn beside(path: &str) -> Option<String> {
+    let inside = path.strip_prefix(PREFIX)?;
+    let folder = inside.split_once('/').map_or("patterns", |(folder, _)| folder);
+    let names = FILES.iter().filter_map(|(path, _)| path.strip_prefix(folder)?.strip_prefix('/'));
+    let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
+    (!names.is_empty()).then(|| format!("`{PREFIX}{folder}/` has {}", names.join(", ")))
+}

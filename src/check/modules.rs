@@ -5,6 +5,7 @@
 
 use crate::check::program::{Attribute, Code, Kind};
 use crate::diag::{Diagnostic, Place, Severity, Span};
+use crate::library;
 use crate::syntax::ast::{self, FunctionKind, ItemKind};
 use crate::syntax::{Source, parse};
 use crate::world::{World, join, rules};
@@ -193,7 +194,8 @@ impl Loaded {
         let bytes = match rules(world, &path) {
             Ok(bytes) => bytes,
             Err(error) => {
-                let hint = "paths of imports are relative to the file that imports";
+                let relative = || "paths of imports are relative to the file that imports".to_string();
+                let hint = library::beside(&path).unwrap_or_else(relative);
                 let diagnostic = Diagnostic::error("import", span, error.to_string()).hint(hint);
                 self.diagnostics.push(diagnostic);
                 return None;

@@ -12,9 +12,9 @@ fn figure_5_keeps_the_radii_of_table_4() {
     for letter in LETTERS.into_iter().filter(|letter| !["g", "h", "i"].contains(letter)) {
         let panel = figure.lot(&format!("5{letter}"));
         assert_apart(&panel, letter);
-        // N(3.13, 0.35) cut off below half of its mean; saturation makes it smaller, never larger.
+        // N(3.13, 0.35) without its lowest part, and the last gaps take small plants: about the mean all the same.
         let radius = mean(&panel, |plant| plant.spacing_radius);
-        assert!((2.2..3.5).contains(&radius), "{letter}: {radius}");
+        assert!((2.8..3.4).contains(&radius), "{letter}: {radius}");
     }
     assert!(figure.all().iter().all(|plant| figure.to("building", plant.position) >= 6.0 - EXACT));
 }
