@@ -133,7 +133,7 @@ fn lots(
     // Carriageways and the verges of crossing streets cut the sides of a street into one lot for each block.
     let mut taken = union(&carriageways, &parks);
     let mut all: Vec<(Polygon, &str)> = parks.polygons().iter().map(|p| (p.clone(), "park")).collect();
-    for sides in wide.values().map(|strips| union_all(strips)) {
+    for sides in wide.values().map(union_all) {
         let verges = intersection(&difference(&sides, &taken), &hull);
         all.extend(verges.polygons().iter().map(|p| (p.clone(), "street")));
         taken = union(&taken, &sides);
