@@ -21,6 +21,8 @@ files! {
     "palettes/subtropical.cga"
     "palettes/temperate.cga"
     "patterns/along.cga"
+    "patterns/baseline-benes.cga"
+    "patterns/baseline-random.cga"
     "patterns/boundary.cga"
     "patterns/cluster.cga"
     "patterns/commercial.cga"
