@@ -9,6 +9,9 @@ use std::collections::HashMap;
 /// Metres across a cell: about the spacing of street trees.
 const CELL: f64 = 8.0;
 
+/// So few are looked at one by one; cells are filled when there are more.
+const FEW: usize = 256;
+
 /// A growing set of disks.
 ///
 /// Adding is cheap; the first question after it sorts what came into cells. A question costs the disks of the cells
@@ -33,20 +36,19 @@ impl Standing {
 
     /// The disks that may reach into a rectangle, in the order they came.
     pub fn near(&self, bounds: Bounds) -> Vec<Disk> {
-        self.sort();
         let reach = bounds.grown(self.largest);
         let (low, high) = (cell_of(reach.min), cell_of(reach.max));
         let wide = (high.0 - low.0 + 1).saturating_mul(high.1 - low.1 + 1) > self.disks.len() as i64;
-        let mut found: Vec<u32> = if wide {
-            (0..self.disks.len() as u32).collect()
-        } else {
-            let cells = self.cells.borrow();
-            let keys = (low.0..=high.0).flat_map(|x| (low.1..=high.1).map(move |y| (x, y)));
-            keys.filter_map(|key| cells.get(&key)).flatten().copied().collect()
-        };
+        let reaches = |disk: &Disk| bounds.grown(disk.radius).contains(disk.position);
+        if wide || self.disks.len() <= FEW {
+            return self.disks.iter().copied().filter(reaches).collect();
+        }
+        self.sort();
+        let cells = self.cells.borrow();
+        let keys = (low.0..=high.0).flat_map(|x| (low.1..=high.1).map(move |y| (x, y)));
+        let mut found: Vec<u32> = keys.filter_map(|key| cells.get(&key)).flatten().copied().collect();
         found.sort_unstable();
-        let disks = found.into_iter().map(|index| self.disks[index as usize]);
-        disks.filter(|disk| bounds.grown(disk.radius).contains(disk.position)).collect()
+        found.into_iter().map(|index| self.disks[index as usize]).filter(reaches).collect()
     }
 
     /// Puts what came since the last question into cells.

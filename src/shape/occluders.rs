@@ -10,6 +10,8 @@ use std::sync::Arc;
 const LEAST_OVERLAP: f64 = 1e-6;
 /// Shapes nearer than this (m) touch.
 const TOUCH: f64 = 1e-3;
+/// So few are looked at one by one; cells are filled when there are more.
+const FEW: usize = 24;
 /// Cells a wide occluder may stand in before it is looked at in every query instead.
 const MOST_CELLS: i64 = 4096;
 
@@ -66,8 +68,15 @@ impl Occluders {
         if bounds.is_empty() {
             return;
         }
-        let index = self.items.len() as u32;
         self.items.push((bounds, occluder));
+        let count = self.items.len();
+        let missing = if count == FEW + 1 { 0 } else { count - 1 };
+        (missing..count).filter(|_| count > FEW).for_each(|index| self.sort(index as u32));
+    }
+
+    /// Puts one into the cells that it touches.
+    fn sort(&mut self, index: u32) {
+        let bounds = self.items[index as usize].0;
         let (low, high) = (self.cell_of(bounds.min), self.cell_of(bounds.max));
         if cells(low, high) > MOST_CELLS {
             self.wide.push(index);
@@ -110,7 +119,7 @@ impl Occluders {
     /// What may touch a rectangle, in the order it came.
     pub fn near(&self, bounds: Bounds) -> impl Iterator<Item = &Occluder> {
         let (low, high) = (self.cell_of(bounds.min), self.cell_of(bounds.max));
-        let mut found: Vec<u32> = if cells(low, high) > MOST_CELLS {
+        let mut found: Vec<u32> = if self.items.len() <= FEW || cells(low, high) > MOST_CELLS {
             (0..self.items.len() as u32).collect()
         } else {
             let cells = (low.0..=high.0).flat_map(|x| (low.1..=high.1).map(move |y| (x, y)));

@@ -15,6 +15,8 @@ const TYPICAL: f64 = 0.35;
 const MOST_SQUARES: usize = 100_000;
 /// The share of the area that may stay undecided.
 const UNDECIDED: f64 = 0.02;
+/// Squares of so many least radii are small enough: where the limit is near, and where it is far, as in a garden.
+const FINE: [f64; 2] = [0.25, 2.0];
 /// Cells for each of the points that are allowed at most.
 const CELLS_PER_POINT: f64 = 6.0;
 /// Cells for each point of a count, so that two rarely want the same.
@@ -35,7 +37,10 @@ impl Capacity {
         let (mut cuts, mut next) = (Cuts::default(), Cuts::default());
         let mut squares = vec![ground.root(&mut cuts)];
         let mut found = Capacity::default();
-        let fine = ground.bounds().size().max_element() / 64.0;
+        let size = ground.bounds().size();
+        let fine = size.max_element() / 64.0;
+        let is_far = size.x * size.y < 0.1 * MOST_POINTS as f64 * radii.smallest() * radii.smallest();
+        let least = FINE[usize::from(is_far)] * radii.smallest();
         loop {
             let side = squares.first().map_or(0.0, |square| square.side * 0.5);
             let mut smaller = Vec::new();
@@ -52,7 +57,7 @@ impl Capacity {
             std::mem::swap(&mut cuts, &mut next);
             squares = smaller;
             let undecided = side * side * squares.len() as f64;
-            let enough = undecided <= UNDECIDED * found.area || side <= radii.smallest() * 0.25;
+            let enough = undecided <= UNDECIDED * found.area || side <= least;
             if enough || squares.len() > MOST_SQUARES {
                 squares.iter().for_each(|square| found.add(square, radii, 0.5));
                 return found;
