@@ -283,11 +283,6 @@ impl Cuts {
         self.edges.truncate(edges);
     }
 
-    /// All of it, as one run.
-    pub fn everything(&self) -> Run {
-        Run { from: 0, to: self.cuts.len() as u32 }
-    }
-
     /// Writes a run of another buffer to the end of this one.
     pub fn copy(&mut self, run: Run, other: &Cuts) -> Run {
         let from = self.cuts.len() as u32;

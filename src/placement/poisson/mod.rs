@@ -11,8 +11,10 @@
 
 mod capacity;
 mod darts;
+mod equals;
 mod ground;
 mod lattice;
+mod window;
 
 pub use ground::Ground;
 
