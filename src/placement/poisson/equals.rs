@@ -17,6 +17,7 @@ const FAR_ROWS: [isize; 2] = [-2, 2];
 const ROWS: usize = 5;
 
 /// The centres in the cells of a buffer, infinitely far where there is none.
+#[derive(Clone)]
 pub struct Equals {
     xs: Vec<f64>,
     ys: Vec<f64>,

@@ -23,6 +23,7 @@ const WASTE: f64 = 6.0;
 const WINDOWS: usize = 24;
 
 /// Tiles of cells.
+#[derive(Clone)]
 pub struct Lattice {
     /// The side of a cell, metres.
     pub cell: f64,
@@ -49,6 +50,7 @@ pub struct Lattice {
 }
 
 /// A tile of the lattice.
+#[derive(Clone)]
 pub struct Tile {
     /// Its place and what cuts it.
     pub square: Square,

@@ -7,9 +7,11 @@
 const WIDEST: i64 = 57;
 
 /// A set of cells.
+#[derive(Clone)]
 pub struct Bits(Vec<u8>);
 
 /// The cells around a cell that disks can come from, for some distances.
+#[derive(Clone)]
 pub struct Windows {
     windows: Vec<Vec<Pack>>,
     /// Windows for each metre.
@@ -17,6 +19,7 @@ pub struct Windows {
 }
 
 /// Rows of a window whose cells fill a word.
+#[derive(Clone)]
 pub struct Pack {
     rows: Vec<Row>,
     /// From the cell in the middle to that of each bit.
@@ -24,6 +27,7 @@ pub struct Pack {
 }
 
 /// A row of a window, or a part of it.
+#[derive(Clone)]
 struct Row {
     /// From the cell in the middle to the first of the row.
     offset: i32,
