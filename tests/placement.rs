@@ -115,8 +115,8 @@ fn what_has_no_place_is_counted() {
 #[test]
 fn limits_are_named() {
     let error = homogeneous(&square(1e5), 1.0, Seed(1)).expect_err("too many");
-    assert_eq!(error.to_string(), "10,000,000,000 points are more than the limit of 1,000,000 in one shape");
-    assert_eq!(uniform(&square(1.0), MOST_POINTS + 1, Seed(1)), Err(PlacementError::TooMany(1_000_001.0)));
+    assert_eq!(error.to_string(), "10,000,000,000 points are more than the limit of 10,000,000 in one shape");
+    assert_eq!(uniform(&square(1.0), MOST_POINTS + 1, Seed(1)), Err(PlacementError::TooMany(10_000_001.0)));
     assert_eq!(homogeneous(&square(1.0), -1.0, Seed(1)), Err(PlacementError::Density(-1.0)));
     assert!(matches!(homogeneous(&square(1.0), f64::NAN, Seed(1)), Err(PlacementError::Density(_))));
     assert_eq!(distributed(&square(9.0), 1.0, -0.5, Seed(1)), Err(PlacementError::Deviation(-0.5)));

@@ -332,7 +332,8 @@ fn a_single_plant_stands_anywhere_or_is_missing() {
 fn nothing_and_next_to_nothing_have_room_for_little() {
     let (radii, amount) = (Radii::constant(1.0), Amount::default());
     assert_eq!(all(&Site::new(Area::empty()), &radii, 1), Placed::default());
-    assert_eq!(all(&Site::new(square(1e-3)), &radii, 1).spots.len(), 1);
+    // Gaps of a millimetre are none; five are found.
+    assert_eq!(all(&Site::new(square(5e-3)), &radii, 1).spots.len(), 1);
     assert_eq!(boundary(&Site::default(), &square(9.0), 2.0, &radii, &amount, Seed(1)), Ok(Placed::default()));
     assert_eq!(clusters(&Site::default(), 4.0, [1, 3], &radii, &amount, Seed(1)), Ok(Placed::default()));
     let asked = semirandom(&Site::default(), &radii, &until(Stop::Count(3)), Seed(1)).expect("allowed");
@@ -358,4 +359,18 @@ fn what_is_too_much_is_refused_before_it_is_begun() {
     assert_eq!(many, Err(PlacementError::TooMany(10_000_001.0)));
     let few = semirandom(&site, &Radii::constant(1e-6), &until(Stop::Count(5)), Seed(1)).expect("a few have room");
     assert_eq!(few.spots.len(), 5);
+}
+
+#[test]
+fn a_strip_without_width_comes_to_an_end() {
+    // A band as wide as the clearance from the same line leaves a line free and nothing beside it: whatever is found
+    // there stands on it, and the search for more ends.
+    let rim = square(200.0);
+    let outline: Vec<DVec2> = rim.edges().map(|(p, _)| p).chain([DVec2::ZERO]).collect();
+    let site = Site::new(rim.clone()).clear_of(Body::Line(outline), 1.5);
+    let radii = varied(1.0, 0.2);
+    let begun = std::time::Instant::now();
+    let spots = boundary(&site, &rim, 1.5, &radii, &Amount::default(), Seed(1)).expect("allowed").spots;
+    assert!(begun.elapsed().as_secs_f64() < 1.0, "{:?}", begun.elapsed());
+    assert!(spots.iter().all(|spot| (rim.distance_to_edges(spot.position) - 1.5).abs() <= TOLERANCE));
 }

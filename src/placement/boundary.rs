@@ -4,6 +4,7 @@
 
 use crate::geometry::{Area, difference, inset};
 use crate::placement::poisson::Ground;
+use crate::placement::ready::Rim;
 use crate::placement::semirandom::place;
 use crate::placement::{Amount, Placed, PlacementError, Radii, Site};
 use crate::seed::Seed;
@@ -11,7 +12,7 @@ use crate::seed::Seed;
 /// Plants at random, their centres inside `rim` and no farther than `width` metres from its edges.
 ///
 /// Each is turned along its nearest edge. Otherwise as [`semirandom`](crate::placement::semirandom); the active area
-/// is the part of the site in the band. Turning costs the number of edges for each plant.
+/// is the part of the site in the band.
 pub fn boundary(
     site: &Site,
     rim: &Area,
@@ -27,8 +28,9 @@ pub fn boundary(
     let active = difference(site.area(), &inset(rim, width));
     let mut placed = place(&Ground::of(site).along(rim, width), &active, radii, amount, seed)?;
     let edges: Vec<_> = rim.edges().collect();
+    let near = Rim::of(edges.iter().copied());
     for spot in &mut placed.spots {
-        if let Some(near) = rim.nearest_edge(spot.position) {
+        if let Some(near) = near.nearest(spot.position) {
             let (a, b) = edges[near.edge];
             spot.direction = (b - a).normalize_or(spot.direction);
         }

@@ -3,9 +3,9 @@
 //! Niese et al. 2022, §5.2 and §5.3; the radius is its κ, the greatest number of clusters its π.
 
 use crate::geometry::{Area, Polygon, intersection, union_all};
-use crate::placement::poisson::Ground;
+use crate::placement::poisson::{Ground, alone};
+use crate::placement::ready::Rim;
 use crate::placement::semirandom::place;
-use crate::placement::single::anywhere;
 use crate::placement::{Amount, Placed, PlacementError, Radii, Site};
 use crate::seed::Seed;
 use glam::DVec2;
@@ -19,8 +19,7 @@ const SIDES: usize = 64;
 ///
 /// The number is drawn evenly from the least and the greatest in `clusters`; the centres are drawn evenly from where a
 /// plant may stand, and may be near each other. A spot's `cluster` is the number of its nearest centre. Otherwise as
-/// [`semirandom`](crate::placement::semirandom); the active area is the part of the site in the disks. Costs the
-/// number of clusters for each plant.
+/// [`semirandom`](crate::placement::semirandom); the active area is the part of the site in the disks.
 pub fn clusters(
     site: &Site,
     radius: f64,
@@ -35,15 +34,13 @@ pub fn clusters(
     }
     let count = draw_count(clusters, seed)?;
     let ground = Ground::of(site);
-    let centres: Vec<DVec2> =
-        anywhere(&ground, radii, count, seed.named("centres"))?.iter().map(|d| d.position).collect();
+    let centres: Vec<DVec2> = alone(&ground, radii, count, seed.named("centres"))?.iter().map(|d| d.position).collect();
     let disks: Vec<Area> = centres.iter().filter_map(|c| Polygon::regular(*c, radius, SIDES)).map(Area::from).collect();
     let active = intersection(site.area(), &union_all(&disks));
     let mut placed = place(&ground.around(&centres, radius), &active, radii, amount, seed)?;
+    let near = Rim::of(centres.iter().map(|centre| (*centre, *centre)));
     for spot in &mut placed.spots {
-        let distance = |index: &usize| centres[*index].distance_squared(spot.position);
-        let nearest = (0..centres.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
-        spot.cluster = nearest.unwrap_or(0) as u32;
+        spot.cluster = near.nearest(spot.position).map_or(0, |near| near.edge) as u32;
     }
     Ok(placed)
 }

@@ -13,6 +13,7 @@ mod field;
 mod places;
 mod poisson;
 mod radii;
+mod ready;
 mod regular;
 mod rows;
 mod scan;

@@ -2,6 +2,7 @@
 //!
 //! In: places in order. Out: those where the site allows a disk that overlaps none before it.
 
+use crate::placement::ready::Ready;
 use crate::placement::{Amount, Disk, Field, MOST_POINTS, Placed, PlacementError, Radii, Site, Spot};
 use crate::seed::Seed;
 use glam::DVec2;
@@ -23,6 +24,7 @@ pub(super) struct Place {
 /// The places taken so far.
 pub(super) struct Places<'a> {
     site: &'a Site,
+    ready: Ready<'a>,
     radii: &'a Radii,
     seed: Seed,
     /// No radius is larger: half of what places are apart.
@@ -50,13 +52,18 @@ impl<'a> Places<'a> {
             return Err(PlacementError::Value { parameter: "radius", found: radii.largest(), allowed });
         }
         let near = Near::new(apart);
-        Ok(Places { site, radii, seed, most, spots: Vec::new(), near })
+        Ok(Places { site, ready: Ready::of(site), radii, seed, most, spots: Vec::new(), near })
+    }
+
+    /// Whether the rim of the site's area is no nearer to a place than `distance` metres.
+    pub fn is_inset(&self, p: DVec2, distance: f64) -> bool {
+        self.ready.is_inset(p, distance)
     }
 
     /// Takes a place whose neighbours are known to be far enough, if the site allows it.
     pub fn take(&mut self, place: Place) {
         let radius = self.radius(place);
-        if self.site.allows(place.position, radius) {
+        if self.ready.allows(place.position, radius) {
             self.push(place, radius);
         }
     }
@@ -71,7 +78,7 @@ impl<'a> Places<'a> {
             let least = if other.cluster == place.cluster { least } else { least.max(apart) };
             other.position.distance(disk.position) >= least
         });
-        let free = free && self.site.allows(disk.position, disk.radius);
+        let free = free && self.ready.allows(disk.position, disk.radius);
         if free {
             self.near.add(disk.position, self.spots.len());
             self.push(place, disk.radius);

@@ -72,8 +72,8 @@ impl Rows {
 ///
 /// The rows lie in the middle of the area's extent with equal rests at both sides, and so do the plants of the first,
 /// third and every odd row; the others are shifted. Concavities and holes cut rows without moving a plant, so that the
-/// lattice stays one. A direction without length is the x axis. Costs the edges for each plant with an inset, and what
-/// the site asks.
+/// lattice stays one. A direction without length is the x axis. Costs the plants, the edges, and what of them is near
+/// each plant.
 pub fn rows(
     site: &Site,
     direction: DVec2,
@@ -90,7 +90,7 @@ pub fn rows(
     let grid = rows.grid(site, direction.normalize_or(DVec2::X))?;
     for [row, column] in grid.cells(site.area(), DVec2::splat(TOUCH))? {
         let position = grid.place(row, column);
-        if rows.inset == 0.0 || site.area().distance_to_edges(position) >= rows.inset - SLACK {
+        if rows.inset == 0.0 || places.is_inset(position, rows.inset - SLACK) {
             let number = (row as u64) << 32 | u64::from(column as u32);
             places.take(Place { number, position, direction: grid.axis, cluster: row as u32 });
         }

@@ -12,7 +12,8 @@ use glam::DVec2;
 ///
 /// Saturated, no place is left where the least radius fits. Gaps that take small disks only are filled with small
 /// disks, so that the mean of the radii stays below that of the distribution: for a mean of 2 m, a deviation of 0.5 m
-/// and radii from 1 to 3 m it is about 1.4 m. With a count the radii keep the distribution until room gets scarce.
+/// and radii from 1 to 3 m it is 1.40 m. (Two or four strict darts for each place instead of one would make it 1.41 or
+/// 1.42 m, and cost 7 or 29 % more time.) With a count the radii keep the distribution until room gets scarce.
 /// An empty site gets nothing. Costs time in proportion to the area measured in least radii.
 pub fn semirandom(site: &Site, radii: &Radii, amount: &Amount, seed: Seed) -> Result<Placed, PlacementError> {
     place(&Ground::of(site), site.area(), radii, amount, seed)

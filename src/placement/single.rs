@@ -19,12 +19,3 @@ pub fn single(site: &Site, radii: &Radii, amount: &Amount, seed: Seed) -> Result
     amount.thin(&mut spots, seed);
     Ok(Placed { spots, missing })
 }
-
-/// Places for `count` disks, each drawn as if it were alone; none where there is none.
-pub(super) fn anywhere(ground: &Ground, radii: &Radii, count: usize, seed: Seed) -> Result<Vec<Disk>, PlacementError> {
-    let mut disks = Vec::with_capacity(count);
-    for index in 0..count as u64 {
-        disks.extend(fill(ground, radii, Some(1), seed.child(index))?);
-    }
-    Ok(disks)
-}

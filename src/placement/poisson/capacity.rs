@@ -119,6 +119,9 @@ impl Ground {
     ) -> Option<Square> {
         let (min, side) = (square.quarter(index), square.side * 0.5);
         let quarter = Square { min, side, run: Default::default() };
+        if square.run.is_empty() {
+            return Some(quarter);
+        }
         let range = radii.span(min, min + DVec2::splat(side));
         let run = self.narrow((square.centre(), square.run, cuts), (quarter.centre(), quarter.half()), range, kept)?;
         Some(Square { run, ..quarter })

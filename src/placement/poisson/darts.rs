@@ -22,8 +22,7 @@ pub struct Darts<'a> {
     radii: &'a Radii,
     lattice: Lattice,
     random: Random,
-    found: usize,
-    near: Vec<[f64; 3]>,
+    pools: Vec<Cuts>,
 }
 
 /// Squares of one size, or of one for each place where the radius varies over the plan, tile by tile.
@@ -38,12 +37,14 @@ struct Level {
 struct Cell {
     square: Square,
     tile: u32,
+    /// The cell of the lattice that it lies in.
+    at: u32,
 }
 
 impl<'a> Darts<'a> {
     /// Nothing thrown yet.
     pub fn new(ground: &'a Ground, radii: &'a Radii, lattice: Lattice, seed: Seed) -> Darts<'a> {
-        Darts { ground, radii, lattice, random: seed.draw("darts"), found: 0, near: Vec::new() }
+        Darts { ground, radii, lattice, random: seed.draw("darts"), pools: Vec::new() }
     }
 
     /// Throws until there are as many disks as wanted, or no place is left.
@@ -64,7 +65,7 @@ impl<'a> Darts<'a> {
         }
         let finest = FINEST.min(self.radii.smallest() / FINENESS);
         while level.cells.first().is_some_and(|cell| cell.square.side > finest) {
-            if level.cells.len() > MOST_SQUARES || self.found >= most {
+            if level.cells.len() > MOST_SQUARES || self.lattice.count() >= most {
                 break;
             }
             next.clear();
@@ -81,15 +82,19 @@ impl<'a> Darts<'a> {
     }
 
     /// The squares of a tile: as large as two least disks at a place allow, where no condition excludes them.
-    fn gather(&self, tile: u32, level: &mut Level) {
+    fn gather(&mut self, tile: u32, level: &mut Level) {
         let square = self.lattice.tiles[tile as usize].square;
         let levels = (square.side / self.lattice.cell).round() as u64;
-        let mut pools = vec![Cuts::default(); levels.trailing_zeros() as usize + 1];
-        pools[0].copy(square.run, &self.lattice.cuts);
-        let run = pools[0].everything();
-        descend(self.ground, self.radii, &Square { run, ..square }, &mut pools, &mut |square, cuts| {
-            let run = level.cuts.copy(square.run, cuts);
-            level.cells.push(Cell { square: Square { run, ..*square }, tile });
+        self.pools.resize_with(levels.trailing_zeros() as usize + 1, Cuts::default);
+        self.pools[0].clear();
+        let run = self.pools[0].copy(square.run, &self.lattice.cuts);
+        let lattice = &self.lattice;
+        descend(self.ground, self.radii, &Square { run, ..square }, &mut self.pools, &mut |square, cuts| {
+            let at = lattice.at(tile, square.centre());
+            if !lattice.is_closed(at) {
+                let run = level.cuts.copy(square.run, cuts);
+                level.cells.push(Cell { square: Square { run, ..*square }, tile, at });
+            }
         });
     }
 
@@ -97,62 +102,65 @@ impl<'a> Darts<'a> {
     fn sweep(&mut self, level: &mut Level, range: Range<usize>, most: usize, strict: bool) -> Range<usize> {
         let mut left = range.clone();
         for _ in range {
-            if left.is_empty() || self.found >= most {
+            if left.is_empty() || self.lattice.count() >= most {
                 break;
             }
-            let index = left.start + self.random.below(left.len() as u64) as usize;
+            // Evenly but for a share of 1e-10, which none can tell.
+            let index = left.start + ((u128::from(self.random.bits()) * left.len() as u128) >> 64) as usize;
             let cell = level.cells[index];
-            let p = cell.square.min + DVec2::new(self.random.unit(), self.random.unit()) * cell.square.side;
-            if let Some(radius) = self.radius(&cell, p, &level.cuts, strict) {
-                self.lattice.put(cell.tile, p, radius);
-                self.found += 1;
-                left.end -= 1;
-                level.cells.swap(index, left.end);
+            if !self.lattice.is_closed(cell.at) {
+                let position = cell.square.min + self.place() * cell.square.side;
+                let Some(radius) = self.radius(&cell, position, &level.cuts, strict) else { continue };
+                self.lattice.put(cell.tile, cell.at, Disk { position, radius });
             }
+            left.end -= 1;
+            level.cells.swap(index, left.end);
         }
         left
+    }
+
+    /// A place in a square of side 1, of a grid so fine that none can see it.
+    fn place(&mut self) -> DVec2 {
+        let bits = self.random.bits();
+        DVec2::new((bits >> 32) as f64, f64::from(bits as u32)) * (1.0 / (1u64 << 32) as f64)
     }
 
     /// The radius of a disk at `p`, if one stays there: a strict dart brings its own, another takes one that fits.
     fn radius(&mut self, cell: &Cell, p: DVec2, cuts: &Cuts, strict: bool) -> Option<f64> {
         let mean = self.radii.mean.at(p);
-        let range = self.radii.range(mean);
-        let own = if strict { self.radii.draw_within(mean, range, &mut self.random) } else { range[0] };
-        let most = if strict { own } else { range[1] };
-        let at = self.lattice.at(cell.tile, p);
-        let mut room = self.lattice.clearance(cell.tile, at, p, [own, most]);
-        if room >= own && !cell.square.run.is_empty() {
+        let range @ [low, _] = self.radii.range(mean);
+        let mut room = self.lattice.clearance(cell.tile, cell.at, p, range);
+        if room >= low && !cell.square.run.is_empty() {
             room = self.ground.room(p, cell.square.centre(), cell.square.run, cuts, room);
         }
-        match room {
-            room if room < own => None,
-            _ if strict => Some(own),
-            room => Some(self.radii.draw_within(mean, [own, room], &mut self.random)),
+        if room < low {
+            return None;
         }
+        let drawn = if strict { range } else { [low, room] };
+        Some(self.radii.draw_within(mean, drawn, &mut self.random)).filter(|radius| *radius <= room)
     }
 
     /// The quarters of squares that neither a disk nor a condition excludes.
     fn split(&mut self, level: &Level, range: Range<usize>, next: &mut Level) {
-        for cell in &level.cells[range] {
-            let square = &cell.square;
-            let lows = self.radii.lows(square.min, square.min + DVec2::splat(square.side));
-            if !self.lattice.near(cell.tile, square, lows, &mut self.near) {
-                continue;
-            }
-            for index in 0..4 {
-                let (min, side) = (square.quarter(index), square.side * 0.5);
-                let [low, _] = self.radii.lows(min, min + DVec2::splat(side));
-                if covered(min, side, low, &self.near) {
-                    continue;
-                }
-                if square.run.is_empty() {
-                    next.cells.push(Cell { square: Square { min, side, run: Default::default() }, tile: cell.tile });
-                } else if let Some(square) = self.ground.quarter(square, index, &level.cuts, self.radii, &mut next.cuts)
-                {
-                    next.cells.push(Cell { square, tile: cell.tile });
-                }
+        for cell in level.cells[range].iter().filter(|cell| !self.lattice.is_closed(cell.at)) {
+            let Cell { square, tile, at } = cell;
+            let covered = self.lattice.covered(*tile, *at, square, self.lows(square));
+            for index in (0..4).filter(|index| covered >> index & 1 == 0) {
+                let quarter = self.ground.quarter(square, index, &level.cuts, self.radii, &mut next.cuts);
+                next.cells.extend(quarter.map(|square| Cell { square, ..*cell }));
             }
         }
+    }
+
+    /// The least radius in each quarter of a square.
+    fn lows(&self, square: &Square) -> [f64; 4] {
+        if self.radii.mean.is_constant() {
+            return [self.lattice.least; 4];
+        }
+        std::array::from_fn(|index| {
+            let min = square.quarter(index as u32);
+            self.radii.lows(min, min + square.side * 0.5)[0]
+        })
     }
 }
 
@@ -167,13 +175,4 @@ impl Level {
         let tile = self.cells[from].tile;
         from + self.cells[from..].iter().take_while(|cell| cell.tile == tile).count()
     }
-}
-
-/// Whether one disk leaves no place in a square for the least radius.
-fn covered(min: DVec2, side: f64, low: f64, near: &[[f64; 3]]) -> bool {
-    let (centre, half) = (min + side * 0.5, side * 0.5 * (1.0 + 1e-12));
-    near.iter().any(|[x, y, radius]| {
-        let far = DVec2::new((x - centre.x).abs() + half, (y - centre.y).abs() + half);
-        far.length_squared() < (radius + low) * (radius + low)
-    })
 }

@@ -10,6 +10,11 @@ use crate::geometry::{Area, Bounds, nearest_on_segment};
 use crate::placement::{Body, Site};
 use glam::DVec2;
 
+/// A strip that is no wider than this (metres) is none.
+const NARROWEST: f64 = 1e-3;
+/// In squares of this half diagonal (metres) and smaller ones such strips are looked for.
+const PINCHED: f64 = 0.1;
+
 /// Conditions on the centre and radius of a plant.
 #[derive(Clone, Debug)]
 pub struct Ground {
@@ -173,7 +178,40 @@ impl Ground {
                 kept.cuts.push(Cut { term: cut.term, inside, from: start, to: kept.edges.len() as u32 });
             }
         }
+        if self.is_pinched(centre, half, &kept.cuts[mark[0]..], &kept.edges) {
+            kept.truncate(mark);
+            return None;
+        }
         Some(Run { from: mark[0] as u32, to: kept.cuts.len() as u32 })
+    }
+
+    /// Whether one condition asks to be so near and another so far that what lies between, in a small square, is
+    /// narrower than [`NARROWEST`]. Without this a band as wide as the clearance from the same line would be searched
+    /// all along for places in a strip without width.
+    fn is_pinched(&self, centre: DVec2, half: f64, cuts: &[Cut], edges: &[u32]) -> bool {
+        if half > PINCHED || cuts.len() < 2 {
+            return false;
+        }
+        let rule = |cut: &Cut| self.terms[cut.term as usize].rule;
+        let way = |edge: u32| {
+            let [a, b] = self.edges[edge as usize];
+            centre - nearest_on_segment(centre, a, b)
+        };
+        let own = |cut: &Cut| &edges[cut.from as usize..cut.to as usize];
+        cuts.iter().any(|near| {
+            let (Some(most), &[edge]) = (rule(near).farthest(), own(near)) else { return false };
+            let from = way(edge);
+            cuts.iter().any(|far| {
+                let Some(least) = rule(far).nearest() else { return false };
+                own(far).iter().map(|edge| way(*edge)).any(|to| {
+                    // Over the square the two distances differ by no more than at its centre, and by what their
+                    // directions turn apart, and bend.
+                    let (a, b) = (from.length(), to.length());
+                    let turn = (from / a - to / b).length() + half / a.min(b);
+                    most - a + b - least + turn * half < NARROWEST
+                })
+            })
+        })
     }
 
     /// The side `centre` lies on and its distance to the edges; those within `reach` of it are kept.
@@ -236,6 +274,22 @@ impl Rule {
         }
     }
 
+    /// How far from its edges it lets a plant stand.
+    fn farthest(self) -> Option<f64> {
+        match self {
+            Rule::Band(distance) | Rule::Near(distance) => Some(distance),
+            _ => None,
+        }
+    }
+
+    /// How near to its edges it lets any plant stand.
+    fn nearest(self) -> Option<f64> {
+        match self {
+            Rule::Outside(distance) | Rule::Away(distance) | Rule::Apart(distance) => Some(distance),
+            _ => None,
+        }
+    }
+
     /// By how many metres the condition holds (negative: fails), for the least radius and for the greatest.
     fn margin(self, inside: bool, nearest: f64, [low, high]: [f64; 2]) -> [f64; 2] {
         let depth = if inside { nearest } else { -nearest };
@@ -281,11 +335,6 @@ impl Cuts {
     fn truncate(&mut self, [cuts, edges]: [usize; 2]) {
         self.cuts.truncate(cuts);
         self.edges.truncate(edges);
-    }
-
-    /// All of it, as one run.
-    pub fn everything(&self) -> Run {
-        Run { from: 0, to: self.cuts.len() as u32 }
     }
 
     /// Writes a run of another buffer to the end of this one.

@@ -5,13 +5,13 @@
 //! flat buffer and asks no neighbour.
 
 use crate::placement::poisson::Ground;
+use crate::placement::poisson::equals::{self, Equals};
 use crate::placement::poisson::ground::{Cuts, Run, Square};
+use crate::placement::poisson::window::{Bits, Windows};
 use crate::placement::{Disk, Radii};
 use glam::DVec2;
 use std::collections::BTreeMap;
 
-/// A cell without a disk: infinitely far.
-const EMPTY: [f64; 3] = [f64::INFINITY, f64::INFINITY, 0.0];
 /// No tile.
 const NONE: u32 = u32::MAX;
 /// The powers of two of cells that a tile has along its side.
@@ -19,7 +19,11 @@ const TILES: [u32; 2] = [2, 6];
 /// Cells in tiles may be so many times those that are needed; where they are more, tiles are smaller.
 const WASTE: f64 = 6.0;
 
+/// Windows of so many sizes are kept ready.
+const WINDOWS: usize = 24;
+
 /// Tiles of cells.
+#[derive(Clone)]
 pub struct Lattice {
     /// The side of a cell, metres.
     pub cell: f64,
@@ -27,8 +31,17 @@ pub struct Lattice {
     pub tiles: Vec<Tile>,
     /// What cuts the tiles.
     pub cuts: Cuts,
-    places: Vec<[f64; 3]>,
-    window: Vec<Step>,
+    disks: Vec<Disk>,
+    /// The number of the disk in each cell that is taken.
+    places: Vec<u32>,
+    taken: Bits,
+    /// Cells that one disk covers so far that the least radius fits nowhere in them.
+    closed: Bits,
+    windows: Windows,
+    /// In place of the above where all radii are one.
+    equals: Option<Equals>,
+    /// The least radius anywhere, metres.
+    pub least: f64,
     /// Cells along the side of a tile.
     cells: i64,
     /// Cells copied on each side.
@@ -37,20 +50,13 @@ pub struct Lattice {
 }
 
 /// A tile of the lattice.
+#[derive(Clone)]
 pub struct Tile {
     /// Its place and what cuts it.
     pub square: Square,
     /// The greatest radius that reaches into it.
     most: f64,
     around: [u32; 9],
-}
-
-/// A cell of the window around a cell.
-#[derive(Clone, Copy)]
-struct Step {
-    offset: i32,
-    /// No points of the two cells are nearer, metres.
-    gap: f64,
 }
 
 impl Lattice {
@@ -69,101 +75,143 @@ impl Lattice {
         }
         let cells = 1i64 << power;
         let stride = cells + 2 * rim;
-        let places = vec![EMPTY; found.tiles.len() * (stride * stride) as usize];
-        let window = window(rim, stride, cell, 2.0 * radii.largest());
-        Lattice { cell, tiles: found.tiles, cuts: found.cuts, places, window, cells, rim, stride }
+        let count = found.tiles.len() * (stride * stride) as usize;
+        let one = radii.smallest() == radii.largest() && rim <= equals::REACH;
+        Lattice {
+            cell,
+            tiles: found.tiles,
+            cuts: found.cuts,
+            disks: Vec::new(),
+            places: vec![0; count],
+            taken: Bits::new(count),
+            closed: Bits::new(count),
+            windows: Windows::new(WINDOWS.min(2 * rim as usize), stride, cell, 2.0 * radii.largest()),
+            equals: one.then(|| Equals::new(count, stride as usize, radii.smallest())),
+            least: radii.smallest(),
+            cells,
+            rim,
+            stride,
+        }
     }
 
     /// The index of the cell of a place in a tile.
-    pub fn at(&self, tile: u32, p: DVec2) -> usize {
-        let [column, row] = self.cell_of(tile, p);
-        self.index(tile, column, row)
-    }
-
-    fn cell_of(&self, tile: u32, p: DVec2) -> [i64; 2] {
+    pub fn at(&self, tile: u32, p: DVec2) -> u32 {
         let q = (p - self.tiles[tile as usize].square.min) / self.cell;
-        [(q.x as i64).clamp(0, self.cells - 1), (q.y as i64).clamp(0, self.cells - 1)]
+        let [column, row] = q.to_array().map(|c| (c as i64).clamp(0, self.cells - 1));
+        self.index(tile, column, row) as u32
     }
 
     fn index(&self, tile: u32, column: i64, row: i64) -> usize {
         ((i64::from(tile) * self.stride + row + self.rim) * self.stride + column + self.rim) as usize
     }
 
-    /// The greatest radius from `low` to `high` with which a disk fits at `p`, in the cell `at`; negative if none does.
-    pub fn clearance(&self, tile: u32, at: usize, p: DVec2, [low, high]: [f64; 2]) -> f64 {
-        if self.places[at][0] < f64::INFINITY {
-            return -1.0;
-        }
-        let most = self.tiles[tile as usize].most;
-        let mut room = high;
-        for step in &self.window {
-            if step.gap >= room + most {
-                break;
-            }
-            let [x, y, radius] = self.places[(at as i64 + i64::from(step.offset)) as usize];
-            let square = (x - p.x) * (x - p.x) + (y - p.y) * (y - p.y);
-            if square < (room + radius) * (room + radius) {
-                room = square.sqrt() - radius;
-                if room < low {
-                    return -1.0;
-                }
-            }
-        }
-        room
+    /// The column and the row of a cell in its tile.
+    fn column_and_row(&self, tile: u32, at: u32) -> [i64; 2] {
+        let at = i64::from(at) - i64::from(tile) * self.stride * self.stride;
+        [at % self.stride - self.rim, at / self.stride - self.rim]
     }
 
-    /// The disks that may cover part of a square with a least radius from `low` to `high` in it; false where one of them
-    /// covers the whole.
-    pub fn near(&self, tile: u32, square: &Square, [low, high]: [f64; 2], found: &mut Vec<[f64; 3]>) -> bool {
-        found.clear();
-        let (p, half) = (square.centre(), square.side * 0.5 * (1.0 + 1e-12));
-        let (at, most) = (self.at(tile, p), self.tiles[tile as usize].most);
-        for step in &self.window {
-            if step.gap >= high + most {
-                break;
-            }
-            let [x, y, radius] = self.places[(at as i64 + i64::from(step.offset)) as usize];
-            let (dx, dy) = ((x - p.x).abs(), (y - p.y).abs());
-            if dx * dx + dy * dy < (radius + high) * (radius + high) {
-                let far = (dx + half) * (dx + half) + (dy + half) * (dy + half);
-                if far < (radius + low) * (radius + low) {
-                    return false;
-                }
-                found.push([x, y, radius]);
-            }
+    /// Whether the least radius is known to fit nowhere in a cell.
+    pub fn is_closed(&self, at: u32) -> bool {
+        self.closed.has(at as usize)
+    }
+
+    /// The greatest radius from `low` to `high` with which a disk fits at `p`, in the cell `at`; negative if none does.
+    pub fn clearance(&self, tile: u32, at: u32, p: DVec2, [low, high]: [f64; 2]) -> f64 {
+        if let Some(equals) = &self.equals {
+            return if equals.is_free(at as usize, p) { high } else { -1.0 };
         }
-        true
+        let mut room = high;
+        let crowded = self.any(tile, at, high, |disk| {
+            let square = disk.position.distance_squared(p);
+            if square < (room + disk.radius) * (room + disk.radius) {
+                room = square.sqrt() - disk.radius;
+            }
+            room < low
+        });
+        if crowded { -1.0 } else { room }
+    }
+
+    /// Which quarters of a square are each covered by one disk, so far that the least radius there fits nowhere: a bit
+    /// for each quarter.
+    pub fn covered(&self, tile: u32, at: u32, square: &Square, lows: [f64; 4]) -> u32 {
+        let (p, half) = (square.centre(), square.side * 0.5 * (1.0 + 1e-12));
+        let mut covered = 0;
+        let mut all = |position: DVec2, radius: f64| {
+            covered |= quarters(position - p, half, lows.map(|low| (radius + low) * (radius + low)));
+            covered == 0b1111
+        };
+        // A quarter reaches to the centre, so that what covers it covers that.
+        if let Some(equals) = &self.equals {
+            equals.any_over(at as usize, p, |position| all(position, self.least));
+        } else {
+            let high = lows.into_iter().fold(0.0, f64::max);
+            self.any(tile, at, high, |Disk { position, radius }| {
+                position.distance_squared(p) < (radius + high) * (radius + high) && all(*position, *radius)
+            });
+        }
+        covered
+    }
+
+    /// Whether a disk passes a test, of those that may come nearer than `reach` metres to a place in a cell.
+    #[inline(always)]
+    fn any(&self, tile: u32, at: u32, reach: f64, mut test: impl FnMut(&Disk) -> bool) -> bool {
+        let packs = self.windows.of(reach + self.tiles[tile as usize].most);
+        self.taken.any(at as usize, packs, |cell| test(&self.disks[self.places[cell] as usize]))
+    }
+
+    /// How many disks there are.
+    pub fn count(&self) -> usize {
+        self.disks.len()
     }
 
     /// Puts a disk into its cell, and into the copies of it.
-    pub fn put(&mut self, tile: u32, p: DVec2, radius: f64) {
-        let [column, row] = self.cell_of(tile, p);
+    pub fn put(&mut self, tile: u32, at: u32, disk: Disk) {
+        let [column, row] = self.column_and_row(tile, at);
+        let number = self.disks.len() as u32;
+        self.disks.push(disk);
+        self.closed.set(at as usize);
         let around = self.tiles[tile as usize].around;
-        for (side, other) in around.into_iter().enumerate().filter(|(_, other)| *other != NONE) {
+        let inner = self.rim..self.cells - self.rim;
+        let sides = if inner.contains(&column) && inner.contains(&row) { 4..5 } else { 0..9 };
+        for (side, other) in sides.map(|side| (side, around[side])).filter(|(_, other)| *other != NONE) {
             let (dx, dy) = (side as i64 % 3 - 1, side as i64 / 3 - 1);
             let (column, row) = (column - dx * self.cells, row - dy * self.cells);
             let covered = -self.rim..self.cells + self.rim;
             if covered.contains(&column) && covered.contains(&row) {
                 let index = self.index(other, column, row);
-                self.places[index] = [p.x, p.y, radius];
+                if let Some(equals) = &mut self.equals {
+                    equals.put(index, disk.position);
+                } else {
+                    self.places[index] = number;
+                    self.taken.set(index);
+                }
                 let most = &mut self.tiles[other as usize].most;
-                *most = most.max(radius);
+                *most = most.max(disk.radius);
+                self.close(other, disk);
             }
         }
     }
 
-    /// All disks, tile by tile.
-    pub fn disks(self) -> Vec<Disk> {
-        let mut disks = Vec::new();
-        for tile in 0..self.tiles.len() as u32 {
-            for row in 0..self.cells {
-                let from = self.index(tile, 0, row);
-                let row = &self.places[from..from + self.cells as usize];
-                let full = row.iter().filter(|place| place[0] < f64::INFINITY);
-                disks.extend(full.map(|[x, y, radius]| Disk { position: DVec2::new(*x, *y), radius: *radius }));
-            }
+    /// Closes the cells of a tile that a disk covers.
+    fn close(&mut self, tile: u32, disk: Disk) {
+        let p = (disk.position - self.tiles[tile as usize].square.min) / self.cell;
+        // Rounding must not close what is free.
+        let reach = (disk.radius + self.least) / self.cell * (1.0 - 1e-9) - p.abs().max_element() * 1e-12;
+        let first = (p.y - reach).ceil().max(0.0) as i64;
+        let end = ((p.y + reach).floor() as i64).min(self.cells);
+        for row in first..end {
+            let away = (row as f64 - p.y).abs().max((row as f64 + 1.0 - p.y).abs());
+            let half = (reach * reach - away * away).max(0.0).sqrt();
+            let from = (p.x - half).ceil().max(0.0) as i64;
+            let to = ((p.x + half).floor() as i64).min(self.cells);
+            (from..to).for_each(|column| self.closed.set(self.index(tile, column, row)));
         }
-        disks
+    }
+
+    /// All disks, in the order they came.
+    pub fn disks(self) -> Vec<Disk> {
+        self.disks
     }
 }
 
@@ -222,17 +270,10 @@ pub fn descend(
     }
 }
 
-/// The cells around a cell that a disk of `reach` can come from, near ones first.
-fn window(rim: i64, stride: i64, cell: f64, reach: f64) -> Vec<Step> {
-    let between = |d: i64| (d.abs() - 1).max(0) as f64;
-    let mut steps: Vec<(f64, i64, i64, i64)> = (-rim..=rim)
-        .flat_map(|dy| (-rim..=rim).map(move |dx| (dx, dy)))
-        // Rounding may put a centre into the cell beside its own.
-        .map(|(dx, dy)| {
-            (DVec2::new(between(dx), between(dy)).length() * cell * (1.0 - 1e-9), dx * dx + dy * dy, dy, dx)
-        })
-        .filter(|(gap, ..)| *gap < reach)
-        .collect();
-    steps.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2, a.3).cmp(&(b.1, b.2, b.3))));
-    steps.into_iter().map(|(gap, _, dy, dx)| Step { offset: (dy * stride + dx) as i32, gap }).collect()
+/// Which quarters of a square around the origin lie wholly nearer to a place than the root of their limit.
+#[inline(always)]
+fn quarters(place: DVec2, half: f64, limits: [f64; 4]) -> u32 {
+    let far = |x: f64| [x.abs().max((x + half).abs()), x.abs().max((x - half).abs())].map(|far| far * far);
+    let (xs, ys) = (far(place.x), far(place.y));
+    (0..4).fold(0, |bits, index| bits | u32::from(xs[index & 1] + ys[index >> 1] < limits[index]) << index)
 }

@@ -11,8 +11,10 @@
 
 mod capacity;
 mod darts;
+mod equals;
 mod ground;
 mod lattice;
+mod window;
 
 pub use ground::Ground;
 
@@ -30,16 +32,30 @@ const MOST_RATIO: f64 = 400.0;
 /// Where `wanted` are too many, there are fewer. Costs time and memory in proportion to the area and its edges measured
 /// in least radii.
 pub fn fill(ground: &Ground, radii: &Radii, wanted: Option<usize>, seed: Seed) -> Result<Vec<Disk>, PlacementError> {
+    let lattice = lattice(ground, radii, wanted)?;
+    Ok(lattice.map_or(Vec::new(), |lattice| Darts::new(ground, radii, lattice, seed).throw(wanted)))
+}
+
+/// Places for `count` disks, each drawn as if it were alone; none where there is none.
+pub fn alone(ground: &Ground, radii: &Radii, count: usize, seed: Seed) -> Result<Vec<Disk>, PlacementError> {
+    let lattice = lattice(ground, radii, Some(1))?;
+    let one = |(lattice, index): (&Lattice, u64)| {
+        Darts::new(ground, radii, lattice.clone(), seed.child(index)).throw(Some(1))
+    };
+    Ok(lattice.iter().cycle().zip(0..count as u64).flat_map(one).collect())
+}
+
+/// An empty lattice, if there is a place for anything.
+fn lattice(ground: &Ground, radii: &Radii, wanted: Option<usize>) -> Result<Option<Lattice>, PlacementError> {
     radii.check()?;
     if radii.largest() > MOST_RATIO * radii.smallest() {
         let allowed = "a 400th of the greatest radius or more";
         return Err(PlacementError::Value { parameter: "radius_min", found: radii.smallest(), allowed });
     }
     if ground.bounds().is_empty() || wanted == Some(0) {
-        return Ok(Vec::new());
+        return Ok(None);
     }
     let capacity = Capacity::of(ground, radii);
     let grain = capacity.grain(radii, wanted)?;
-    let lattice = Lattice::new(ground, radii, capacity.area(), grain);
-    Ok(Darts::new(ground, radii, lattice, seed).throw(wanted))
+    Ok(Some(Lattice::new(ground, radii, capacity.area(), grain)))
 }
