@@ -140,10 +140,10 @@ impl Shared<'_> {
             remark(Some("radius_sd"), format!("{message}: small plants will be cut off"));
         }
         if placed.missing > 0 {
-            let parameter = if self.count.is_some() { "count" } else { "per_area" };
+            let parameter = self.count.map(|_| "count").or(self.per_area.map(|_| "per_area"));
             let asked = placed.spots.len() + placed.missing;
             let missing = crate::text::thousands(placed.missing);
-            remark(Some(parameter), format!("{missing} of {} found no place", crate::text::counted(asked, "plant")));
+            remark(parameter, format!("{missing} of {} found no place", crate::text::counted(asked, "plant")));
         }
         if ground.area.is_empty() {
             remark(None, "there is no area to place on".into());

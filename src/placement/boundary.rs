@@ -4,14 +4,13 @@
 
 use crate::geometry::{Area, difference, inset};
 use crate::placement::poisson::Ground;
-use crate::placement::ready::Rim;
-use crate::placement::semirandom::place;
+use crate::placement::semirandom::{place, turn};
 use crate::placement::{Amount, Placed, PlacementError, Radii, Site};
 use crate::seed::Seed;
 
 /// Plants at random, their centres inside `rim` and no farther than `width` metres from its edges.
 ///
-/// Each is turned along its nearest edge. Otherwise as [`semirandom`](crate::placement::semirandom); the active area
+/// Each is turned along the nearest edge of `rim`. Otherwise as [`semirandom`](crate::placement::semirandom); the active area
 /// is the part of the site in the band.
 pub fn boundary(
     site: &Site,
@@ -27,13 +26,6 @@ pub fn boundary(
     }
     let active = difference(site.area(), &inset(rim, width));
     let mut placed = place(&Ground::of(site).along(rim, width), &active, radii, amount, seed)?;
-    let edges: Vec<_> = rim.edges().collect();
-    let near = Rim::of(edges.iter().copied());
-    for spot in &mut placed.spots {
-        if let Some(near) = near.nearest(spot.position) {
-            let (a, b) = edges[near.edge];
-            spot.direction = (b - a).normalize_or(spot.direction);
-        }
-    }
+    turn(&mut placed.spots, rim);
     Ok(placed)
 }

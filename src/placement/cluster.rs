@@ -5,7 +5,7 @@
 use crate::geometry::{Area, Polygon, intersection, union_all};
 use crate::placement::poisson::{Ground, alone};
 use crate::placement::ready::Rim;
-use crate::placement::semirandom::place;
+use crate::placement::semirandom::{place, turn};
 use crate::placement::{Amount, Placed, PlacementError, Radii, Site};
 use crate::seed::Seed;
 use glam::DVec2;
@@ -38,6 +38,7 @@ pub fn clusters(
     let disks: Vec<Area> = centres.iter().filter_map(|c| Polygon::regular(*c, radius, SIDES)).map(Area::from).collect();
     let active = intersection(site.area(), &union_all(&disks));
     let mut placed = place(&ground.around(&centres, radius), &active, radii, amount, seed)?;
+    turn(&mut placed.spots, site.area());
     let near = Rim::of(centres.iter().map(|centre| (*centre, *centre)));
     for spot in &mut placed.spots {
         spot.cluster = near.nearest(spot.position).map_or(0, |near| near.edge) as u32;
@@ -48,7 +49,7 @@ pub fn clusters(
 fn draw_count([least, most]: [usize; 2], seed: Seed) -> Result<usize, PlacementError> {
     if most > MOST_CLUSTERS || least > most {
         let allowed = "from the least number of clusters to 10000";
-        return Err(PlacementError::Value { parameter: "clusters_max", found: most as f64, allowed });
+        return Err(PlacementError::Value { parameter: "clusters", found: most as f64, allowed });
     }
     Ok(least + seed.draw("clusters").below((most - least + 1) as u64) as usize)
 }
