@@ -369,8 +369,6 @@ fn a_strip_without_width_comes_to_an_end() {
     let outline: Vec<DVec2> = rim.edges().map(|(p, _)| p).chain([DVec2::ZERO]).collect();
     let site = Site::new(rim.clone()).clear_of(Body::Line(outline), 1.5);
     let radii = varied(1.0, 0.2);
-    let begun = std::time::Instant::now();
     let spots = boundary(&site, &rim, 1.5, &radii, &Amount::default(), Seed(1)).expect("allowed").spots;
-    assert!(begun.elapsed().as_secs_f64() < 1.0, "{:?}", begun.elapsed());
     assert!(spots.iter().all(|spot| (rim.distance_to_edges(spot.position) - 1.5).abs() <= TOLERANCE));
 }
