@@ -102,12 +102,12 @@ impl Growth {
     /// The greatest age at which the crown keeps within a radius in metres: infinite where it never outgrows it, 0
     /// where it does from the start.
     pub fn age_at_crown_radius(&self, radius: f64) -> f64 {
-        self.last_age_when(|sizes| sizes.crown_diameter * 0.5 <= radius)
+        self.last_age_when(|age| self.crown_diameter(age) * 0.5 <= radius)
     }
 
     /// The greatest age at which it is not higher than so many metres; infinite and 0 as for the crown.
     pub fn age_at_height(&self, height: f64) -> f64 {
-        self.last_age_when(|sizes| sizes.height <= height)
+        self.last_age_when(|age| self.height(age) <= height)
     }
 
     /// The age behind which sizes are held, years.
@@ -121,14 +121,14 @@ impl Growth {
     }
 
     /// Bisects the ages, over which sizes only grow.
-    fn last_age_when(&self, holds: impl Fn(&Sizes) -> bool) -> f64 {
+    fn last_age_when(&self, holds: impl Fn(f64) -> bool) -> f64 {
         let (mut low, mut high) = (0.0, self.last_age());
-        if holds(&self.sizes(high)) {
+        if holds(high) {
             return f64::INFINITY;
         }
         for _ in 0..STEPS {
             let middle = 0.5 * (low + high);
-            match holds(&self.sizes(middle)) {
+            match holds(middle) {
                 true => low = middle,
                 false => high = middle,
             }
@@ -136,11 +136,26 @@ impl Growth {
         low
     }
 
+    fn crown_diameter(&self, age: f64) -> f64 {
+        match &self.curves {
+            Some(curves) => curves.crown_diameter.at(curves.scale(age)),
+            None => self.between(age).crown_diameter,
+        }
+    }
+
+    fn height(&self, age: f64) -> f64 {
+        match &self.curves {
+            Some(curves) if curves.dbh.is_some() => curves.height.at(curves.scale(age)),
+            Some(curves) => curves.scale(age),
+            None => self.between(age).height,
+        }
+    }
+
     fn measured(&self, curves: &Curves, age: f64) -> Sizes {
-        let known = age.min(curves.ages[1]);
-        let (dbh, by) = match &curves.dbh {
-            Some(dbh) => (dbh.at(known) / 100.0, dbh.at(known)),
-            None => (self.stages.at(known).map_or(0.0, |f| f.trunk_diameter), curves.height.at(known)),
+        let by = curves.scale(age);
+        let dbh = match &curves.dbh {
+            Some(_) => by / 100.0,
+            None => self.stages.at(age.min(curves.ages[1])).map_or(0.0, |figures| figures.trunk_diameter),
         };
         let height = if curves.dbh.is_some() { curves.height.at(by) } else { by };
         Sizes {
@@ -171,6 +186,11 @@ impl Growth {
 }
 
 impl Curves {
+    /// What all else goes by at an age: centimetres of trunk, or metres of height.
+    fn scale(&self, age: f64) -> f64 {
+        self.dbh.as_ref().unwrap_or(&self.height).at(age.min(self.ages[1]))
+    }
+
     /// Without a `height` there are no curves.
     fn read(table: &toml::Table) -> Result<Option<Curves>, String> {
         let Some(height) = curve(table, "height")? else { return Ok(None) };
