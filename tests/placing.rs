@@ -215,3 +215,48 @@ fn layers_are_avoided_by_name() {
     assert_eq!([near("layer:gas"), near("gas"), near("kind:pipe")], [0, 0, 0]);
     assert!(near("label:pipe") > 20 && near("layer:water") > 20);
 }
+
+#[test]
+fn what_lies_beyond_the_lot_line_counts() {
+    let text = r#"{"type": "FeatureCollection", "crs": "local", "features": [
+        {"type": "Feature", "properties": {"kind": "lot"}, "geometry":
+          {"type": "Polygon", "coordinates": [[[0, 0], [50, 0], [50, 40], [0, 40], [0, 0]]]}},
+        {"type": "Feature", "properties": {"kind": "building"}, "geometry":
+          {"type": "Polygon", "coordinates": [[[52, 0], [60, 0], [60, 40], [52, 40], [52, 0]]]}},
+        {"type": "Feature", "properties": {"kind": "tree", "crown_radius": 6}, "geometry":
+          {"type": "Point", "coordinates": [-2, 20]}}]}"#;
+    let (layout, _) = bosquet::layout::read_geojson("lot.geojson", text.as_bytes());
+    let (derivation, _) = run("Lot --> semirandom(1) { T. } NIL", &layout, 1);
+    let (house, tree) = match (&layout.features[0].shapes, &layout.features[1].shapes) {
+        (Shapes::Areas(areas), Shapes::Points(points)) => (areas[0].clone(), points[0]),
+        other => panic!("{other:?}"),
+    };
+    let plants = placed(&derivation);
+    assert!(plants.len() > 200, "{} plants", plants.len());
+    for (_, p, radius) in plants {
+        assert!(house.distance_to_edges(p) >= 6.0 - 1e-6, "{p} is near the neighbour's house");
+        assert!(p.distance(tree) >= 6.0 + radius - 1e-6, "{p} stands under the neighbour's tree");
+    }
+}
+
+#[test]
+fn radii_follow_a_spacing_that_varies() {
+    let layout = place::parse(&["rect 60 40"]).expect("a lot");
+    let (derivation, _) = run("Lot --> along(spacing = 4 + place.x / 5, inset = 3) { T. } NIL", &layout, 1);
+    let radii: Vec<f64> = placed(&derivation).iter().map(|(.., radius)| *radius).collect();
+    let (least, most) = radii.iter().fold((f64::MAX, 0.0f64), |(a, b), r| (a.min(*r), b.max(*r)));
+    assert!(least < 2.8 && most > 5.0, "from {least} to {most}");
+}
+
+#[test]
+fn plants_on_walls_take_no_ground() {
+    let layout = place::parse(&["rect 30 30"]).expect("a lot");
+    let ground = |before: &str| {
+        let rules = format!("Lot --> {before} semirandom(1, avoid = \"none\") {{ T. }} NIL");
+        let (derivation, _) = run(&rules, &layout, 1);
+        let upright = |shape: &Shape| (shape.scope.frame.rotation * DVec3::Y).y > 0.99;
+        placed(&derivation).iter().filter(|(shape, ..)| upright(shape)).count()
+    };
+    let walls = ground("[ extrude(6) comp(f) { side : semirandom(1.5) { P. } NIL | all : NIL } ]");
+    assert!(walls > 100 && walls.abs_diff(ground("")) < 12, "{walls} plants beside {}", ground(""));
+}

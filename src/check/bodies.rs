@@ -185,6 +185,10 @@ impl Checker {
     fn operation(&mut self, operation: &'static Operation, call: &Call) -> Step {
         let (args, arg_spans) = self.arguments(operation.spec, &call.args, call.span);
         self.program.looks_around |= operation.looks_around;
+        if operation.labels {
+            let label = args.first().and_then(|arg| arg.as_ref()?.known()?.as_str().map(Into::into));
+            self.program.labels.insert(label);
+        }
         let mut bodies = Vec::new();
         let block = match (operation.spec.block, call.blocks.first()) {
             (BlockKind::None, None) => Block::None,

@@ -8,6 +8,7 @@ mod expressions;
 mod modules;
 mod names;
 mod program;
+mod reach;
 
 pub use program::{
     Alternative, Application, Attribute, Block, Body, Code, Cut, Function, Kind, Program, Rule, Selector, Step,

@@ -1,11 +1,13 @@
 //! The checked program: names are indices, arguments stand in the order of the parameters, nothing is left to look up.
 
+use crate::check::reach;
 use crate::diag::Span;
 use crate::functions::Function as Builtin;
 use crate::ops::Operation;
 use crate::syntax::Source;
 use crate::syntax::ast::{BinaryOp, SizeMark};
 use crate::value::Value;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// A rule file with everything it imports, ready to derive.
@@ -29,6 +31,8 @@ pub struct Program {
     pub zones: Vec<Zone>,
     /// The main file's `start` rule or `@StartRule`.
     pub start: Option<u32>,
+    /// Every label that is written in the rules; `None` among them stands for such as are made up on the way.
+    pub labels: BTreeSet<Option<Arc<str>>>,
     /// Some rule asks what lies around a shape, so the engine keeps features and labels.
     pub looks_around: bool,
     /// Some rule asks how shapes lie to each other, so the engine keeps what it builds as well.
@@ -255,6 +259,11 @@ impl Program {
         let mut own = self.public_attributes().filter(|(_, a)| a.names().last() == Some(name));
         let only = own.next().filter(|_| own.next().is_none());
         exact.or(only).map(|(slot, _)| slot)
+    }
+
+    /// The attributes that a rule and all that can come of it read, by slot.
+    pub fn attributes_of(&self, rule: u32) -> BTreeSet<u32> {
+        reach::attributes_of(self, rule)
     }
 
     /// A rule as a step of a trace.

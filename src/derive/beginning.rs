@@ -24,7 +24,9 @@ pub(super) struct Beginning<'a> {
     pub intra: Occluders,
     /// The initial shapes of the neighbours.
     pub inter: Occluders,
-    /// The trees that stand in it.
+    /// The features around it.
+    pub beyond: Occluders,
+    /// The trees that stand in it and around it.
     pub standing: Standing,
 }
 
@@ -35,6 +37,8 @@ impl<'a> Beginning<'a> {
         let region = &layout.regions[index];
         let start = program.symbols[program.rules[rule as usize].symbol as usize].clone();
         let seed = initial::seed(region, options.seed);
+        let around = run.reaches.as_ref().filter(|_| looks).map(|grid| initial::around(layout, region, grid));
+        let (beyond, standing) = around.unwrap_or_default();
         Beginning {
             region,
             seed,
@@ -42,7 +46,8 @@ impl<'a> Beginning<'a> {
             initial: initial::facts(region, start),
             intra: if looks { initial::intra(layout, region) } else { Occluders::default() },
             inter: if looks { initial::inter(layout, region) } else { Occluders::default() },
-            standing: if looks { initial::standing(layout, region) } else { Standing::default() },
+            beyond,
+            standing,
         }
     }
 

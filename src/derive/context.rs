@@ -2,7 +2,8 @@
 //!
 //! The value of a lot is the mean over the lots whose centres lie within the radius ξ, its own among them, weighted by
 //! a Gaussian of the distance with a standard deviation of ξ/3. Numbers are blended; words are drawn by the same
-//! weights from the lot's seed. All lots on which a rule begins have the attributes of the rule file.
+//! weights from the lot's seed. A lot has an attribute where its start rule, or what can come of it, reads it; others
+//! have no share in its value.
 //!
 //! In: what each lot would have alone. Out: what it has in its context. Computed once for a layout, in parallel.
 
@@ -14,6 +15,7 @@ use crate::seed::Seed;
 use crate::value::Value;
 use glam::DVec2;
 use rayon::prelude::*;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// Values by slot.
@@ -24,6 +26,7 @@ struct Own {
     region: usize,
     centre: DVec2,
     seed: Seed,
+    rule: u32,
     values: Arc<[Value]>,
 }
 
@@ -36,10 +39,13 @@ pub(super) fn contexts(run: &Run, rules: &[Option<u32>]) -> Vec<Context> {
     if asked.is_empty() {
         return Vec::new();
     }
-    let lots = own(run, rules);
-    let centres: Vec<DVec2> = lots.iter().map(|lot| lot.centre).collect();
+    let all = own(run, rules);
+    let begun: BTreeSet<u32> = all.iter().map(|lot| lot.rule).collect();
+    let read: BTreeMap<u32, BTreeSet<u32>> = begun.into_iter().map(|r| (r, run.program.attributes_of(r))).collect();
     let mut contexts = vec![Context::new(); run.layout.regions.len()];
     for (slot, radius) in asked {
+        let lots: Vec<&Own> = all.iter().filter(|lot| read[&lot.rule].contains(&(slot as u32))).collect();
+        let centres: Vec<DVec2> = lots.iter().map(|lot| lot.centre).collect();
         let grid = PointGrid::new(&centres, radius.max(1.0));
         let name = &run.program.attributes[slot].name;
         let blended: Vec<Value> = lots.par_iter().map(|lot| blend(lot, slot, radius, name, &lots, &grid)).collect();
@@ -55,12 +61,12 @@ fn own(run: &Run, rules: &[Option<u32>]) -> Vec<Own> {
         let beginning = Beginning::of(run, region, (*rule)?, looks);
         // What fails here fails again when the lot is derived, and is reported then.
         let (values, _) = beginning.attributes(run, &[]);
-        Some(Own { region, centre: beginning.region.polygon.centroid(), seed: beginning.seed, values })
+        Some(Own { region, centre: beginning.region.polygon.centroid(), seed: beginning.seed, rule: (*rule)?, values })
     };
     rules.par_iter().enumerate().filter_map(lot).collect()
 }
 
-fn blend(lot: &Own, slot: usize, radius: f64, name: &str, lots: &[Own], grid: &PointGrid) -> Value {
+fn blend(lot: &Own, slot: usize, radius: f64, name: &str, lots: &[&Own], grid: &PointGrid) -> Value {
     let mut near: Vec<usize> = grid.within(lot.centre, radius).collect();
     // In the layout's order, so that a lot far away cannot change how the sum is rounded.
     near.sort_unstable();

@@ -65,6 +65,6 @@ impl Frame<'_> {
 }
 
 /// A branch and those that it grows from.
-fn climb(branches: &[NodeId], from: NodeId) -> impl Iterator<Item = NodeId> {
+pub(super) fn climb(branches: &[NodeId], from: NodeId) -> impl Iterator<Item = NodeId> {
     std::iter::successors(Some(from), |id| Some(branches[id.0 as usize]).filter(|parent| parent != id))
 }

@@ -4,7 +4,7 @@
 //! front, the origin at the corner with the least coordinates.
 
 use crate::functions::Initial;
-use crate::geometry::{Area, stroke};
+use crate::geometry::{Area, Bounds, BoxGrid, stroke};
 use crate::layout::{Feature, Kind, Layout, Region, Shapes};
 use crate::placement::{Disk, Standing};
 use crate::seed::Seed;
@@ -12,6 +12,9 @@ use crate::shape::{Extent, Footprint, Frame, Geometry, Occluder, Occluders, Ordi
 use crate::value::Value;
 use glam::{DQuat, DVec2, DVec3};
 use std::sync::Arc;
+
+/// So far beyond a lot (metres) features keep its plants away: well beyond any usual envelope.
+const AROUND: f64 = 30.0;
 
 /// The region as a shape without attributes.
 pub(super) fn shape(region: &Region, seed: Seed) -> Shape {
@@ -53,28 +56,55 @@ pub(super) fn facts(region: &Region, start: Arc<str>) -> Initial {
 /// The features of the lot, under the word of their kind.
 pub(super) fn intra(layout: &Layout, region: &Region) -> Occluders {
     let mut set = Occluders::new(region.polygon.bounds());
-    // A street on which rules start is a region and a feature: what a region is itself does not occlude it.
-    let others = region.features.iter().filter_map(|i| layout.features.get(*i)).filter(|f| f.id != region.id);
-    for feature in others {
-        let layer = feature.attributes.get("layer").and_then(Value::as_str);
-        for extent in extents(feature) {
-            let (label, layer) = (Some(feature.kind.word().into()), layer.map(Into::into));
-            set.add(Occluder { label, layer, node: None, footprint: footprint(feature, extent) });
-        }
-    }
+    region.features.iter().filter_map(|i| layout.features.get(*i)).for_each(|feature| occlude(feature, &mut set));
     set
 }
 
-/// The trees that stand in the lot, with their crowns.
-pub(super) fn standing(layout: &Layout, region: &Region) -> Standing {
-    let mut standing = Standing::default();
-    let trees = region.features.iter().filter_map(|i| layout.features.get(*i)).filter(|f| f.kind == Kind::Tree);
-    for tree in trees {
-        if let Shapes::Points(points) = &tree.shapes {
-            points.iter().for_each(|p| standing.add(Disk { position: *p, radius: crown_radius(tree) }));
+/// The features outside the lot from which its plants keep away, and the trees in it and around it with their crowns.
+pub(super) fn around(layout: &Layout, region: &Region, features: &BoxGrid) -> (Occluders, Standing) {
+    let near = region.polygon.bounds().grown(AROUND);
+    let mut found: Vec<usize> = features.touching(near).filter(|i| !is_itself(region, &layout.features[*i])).collect();
+    found.sort_unstable();
+    let (mut beyond, mut standing) = (Occluders::new(near), Standing::default());
+    for index in found {
+        let feature = &layout.features[index];
+        match (&feature.kind, &feature.shapes) {
+            (Kind::Tree, Shapes::Points(points)) => {
+                points.iter().for_each(|p| _ = standing.add(Disk { position: *p, radius: crown_radius(feature) }));
+            }
+            _ if region.features.binary_search(&index).is_err() => occlude(feature, &mut beyond),
+            _ => {}
         }
     }
-    standing
+    (beyond, standing)
+}
+
+/// Every kind and layer of the layout.
+pub(super) fn names(layout: &Layout) -> impl Iterator<Item = Arc<str>> {
+    let kinds = layout.features.iter().map(|f| &f.kind).chain(layout.regions.iter().map(|r| &r.kind));
+    let attributes = layout.features.iter().map(|f| &f.attributes).chain(layout.regions.iter().map(|r| &r.attributes));
+    let layers = attributes.filter_map(|attributes| attributes.get("layer")?.as_str());
+    kinds.map(Kind::word).chain(layers).map(Into::into)
+}
+
+/// Where each feature reaches.
+pub(super) fn reaches(layout: &Layout) -> BoxGrid {
+    let bounds = |feature: &Feature| extents(feature).iter().fold(Bounds::EMPTY, |all, e| all.union(e.bounds()));
+    BoxGrid::new(&layout.features.iter().map(bounds).collect::<Vec<_>>())
+}
+
+/// A street on which rules start is a region and a feature.
+fn is_itself(region: &Region, feature: &Feature) -> bool {
+    let rest = region.id.strip_prefix(&*feature.id).filter(|_| !feature.id.is_empty());
+    rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
+}
+
+fn occlude(feature: &Feature, set: &mut Occluders) {
+    let layer = feature.attributes.get("layer").and_then(Value::as_str);
+    for extent in extents(feature) {
+        let (label, layer) = (Some(feature.kind.word().into()), layer.map(Into::into));
+        set.add(Occluder { label, layer, node: None, footprint: footprint(feature, extent) });
+    }
 }
 
 /// The neighbours' initial shapes, under the word of their kind.

@@ -18,6 +18,7 @@ pub use start::{StartError, start_of};
 use crate::check::Program;
 use crate::diag::Diagnostic;
 use crate::element::Catalogue;
+use crate::geometry::BoxGrid;
 use crate::layout::Layout;
 use crate::raster::Rasters;
 use crate::seed::Seed;
@@ -25,6 +26,7 @@ use crate::shape::{Derivation, Lot};
 use crate::value::Value;
 use crate::world::World;
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Duration;
@@ -52,6 +54,10 @@ struct Run<'a> {
     layout: &'a Layout,
     options: &'a Options<'a>,
     rasters: &'a Rasters<'a>,
+    /// Where features reach; none where no rule looks around.
+    reaches: Option<&'a BoxGrid>,
+    /// Every kind and layer of the layout and every label of the rules; none where labels are made up on the way.
+    names: Option<&'a BTreeSet<Arc<str>>>,
     progress: &'a Progress,
 }
 
@@ -107,7 +113,11 @@ pub fn derive(
     let rules: Vec<Option<u32>> = starts.iter().map(|start| start.as_ref().ok().copied()).collect();
     let main = program.sources.first().map_or("", |source| source.path());
     let rasters = Rasters::new(options.world, main, layout.georeference.clone());
-    let run = Run { program, layout, options, rasters: &rasters, progress };
+    let reaches = program.looks_around.then(|| initial::reaches(layout));
+    let labels: Option<BTreeSet<Arc<str>>> = program.labels.iter().cloned().collect();
+    let names = labels.map(|labels| labels.into_iter().chain(initial::names(layout)).collect());
+    let (reaches, names) = (reaches.as_ref(), names.as_ref());
+    let run = Run { program, layout, options, rasters: &rasters, reaches, names, progress };
     let contexts = context::contexts(&run, &rules);
     let lots: Vec<Lot> = layout
         .regions

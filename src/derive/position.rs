@@ -15,7 +15,7 @@ use std::cell::Cell;
 /// Metres between the nodes of a grid, where the shape is not too large for that.
 const STEP: f64 = 0.5;
 /// Nodes along one axis at most.
-const MOST_NODES: usize = 160;
+const MOST_NODES: usize = 400;
 
 /// An argument on a shape.
 pub(super) enum Varied {

@@ -38,7 +38,11 @@ macro_rules! position {
 
 pub(super) static LIST: &[Function] = &[
     position!("place.u", "In an argument that may vary: the share of the scope's x, 0 to 1.", |at| at.share.x),
-    position!("place.v", "In an argument that may vary: the share of the scope's z, 0 to 1.", |at| at.share.y),
+    position!(
+        "place.v",
+        "In an argument that may vary: the share of the scope's z, 0 at the back to 1 in front.",
+        |at| at.share.y
+    ),
     position!("place.x", "In an argument that may vary: metres along the scope's x.", |at| at.local.x),
     position!("place.z", "In an argument that may vary: metres along the scope's z.", |at| at.local.y),
     position!("place.edge", "In an argument that may vary: metres from the edge of the shape.", |at| {
@@ -48,7 +52,7 @@ pub(super) static LIST: &[Function] = &[
         "gradient",
         "(x|z, from, to)",
         (3, 3),
-        "In an argument that may vary: from one value to another along the scope's x or z.",
+        "In an argument that may vary: from one value to another along the scope's x, or its z from back to front.",
         |args, around| {
             let (from, to) = (number(args, 1)?, number(args, 2)?);
             let share = at(around)?.share;

@@ -1,9 +1,10 @@
 //! `along`: places at even spacing along edges, lines and streets.
 
+use crate::ops::envelope::{self, Avoided};
 use crate::ops::ground::Ground;
 use crate::ops::spec::Varying;
 use crate::ops::strategy::{not_negative, strategy};
-use crate::ops::{Apply, Given, Pieces, Problem, Word};
+use crate::ops::{Apply, Given, Pieces, Problem, Remark, Word};
 use crate::placement::{self, Along, Line};
 use crate::shape::{Extent, Shape};
 use crate::unit::{Degrees, Metres};
@@ -25,8 +26,8 @@ strategy! {
         inset: Metres = Metres(0.0) => "0",
         /// How far from corners and ends nothing stands, metres along the line.
         corner: Metres = Metres(0.0) => "0",
-        /// The kind or label of what to follow instead of the shape's own edges: outside of areas, on both sides of
-        /// lines, within the shape.
+        /// What to follow instead of the shape's own edges, named as in `avoid`: outside of areas, on both sides of lines,
+        /// within the shape.
         on: Option<Word> = None => "edges",
         /// Whether the spacing is stretched until points stand at both ends of a run; else the rests are equal.
         stretch: bool = true => "true",
@@ -48,9 +49,10 @@ impl Apply for AlongLines {
         };
         let spacing = given.field("spacing", self.spacing.0.0);
         let lines = match &self.on {
-            Some(label) => beside(&label.0, self.inset.0, &ground, given),
+            Some(names) => beside(&Avoided::parse("on", &names.0)?, self.inset.0, &ground, given),
             None => own,
         };
+        let followed = self.on.is_some().then(|| lines.is_empty());
         let radii = shared.radii_or(given, self.radius, &spacing)?;
         let site = shared.site(&ground, shape, given, &radii)?;
         let options = Along {
@@ -61,15 +63,22 @@ impl Apply for AlongLines {
             adjust: self.stretch,
         };
         let placed = placement::along(&site, &lines, &options, &radii, &shared.amount(given)?, given.seed);
-        shared.pieces(&ground, shape, given, &radii, placed)
+        let pieces = shared.pieces(&ground, shape, given, &radii, placed)?;
+        Ok(match (followed, pieces) {
+            (Some(true), Pieces::Placed(parts, mut remarks)) => {
+                let message = "nothing of that name is near, so nothing is followed".into();
+                remarks.push(Remark { message, parameter: Some("on"), is_note: false });
+                Pieces::Placed(parts, remarks)
+            }
+            (_, pieces) => pieces,
+        })
     }
 }
 
-/// What lies under a label near the ground, as lines whose left is the side to plant on.
-fn beside(label: &str, inset: f64, ground: &Ground, given: &Given) -> Vec<Line> {
+/// What has one of the names near the ground, as lines whose left is the side to plant on.
+fn beside(names: &Avoided, inset: f64, ground: &Ground, given: &Given) -> Vec<Line> {
     let reach = ground.area.bounds().grown(inset.abs());
-    let found = given.intra.near(reach).chain(given.inter.near(reach));
-    let named = found.filter(|occluder| occluder.label.as_deref() == Some(label));
+    let named = envelope::around(reach, given).filter(|occluder| names.names(occluder));
     named.flat_map(|occluder| sides(&occluder.footprint.extent, inset)).collect()
 }
 

@@ -35,7 +35,12 @@ impl Apply for Cluster {
         let (shared, ground) = (self.shared(), Ground::of(shape)?);
         let radius = not_negative("cluster_radius", self.cluster_radius.0)?;
         let most = self.clusters as usize;
-        let clusters = [(self.clusters_min as usize).min(most), most];
+        let clusters = [self.clusters_min as usize, most];
+        if clusters[0] > most.max(1) {
+            let message = format!("`clusters_min` is {}, more than the {most} of `clusters`", clusters[0]);
+            return Err(Problem { parameter: Some("clusters_min"), ..Problem::new(message) });
+        }
+        let clusters = [clusters[0].min(most), most];
         let radii = shared.radii(given.field("radius", self.radius.0.0))?;
         let site = shared.site(&ground, shape, given, &radii)?;
         let placed = placement::clusters(&site, radius, clusters, &radii, &shared.amount(given)?, given.seed);

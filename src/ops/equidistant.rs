@@ -22,7 +22,8 @@ strategy! {
         spacing: Varying<Metres> [0.0, 10.0],
         /// Mean radius that a plant keeps for itself (μ), metres.
         radius: Option<Varying<Metres>> [1.0, 10.0] = None => "spacing / 2",
-        /// A branch that ends blindly is left out where it is shorter than this times the width it starts from.
+        /// A branch that ends blindly is left out where it is shorter than so many times the distance from the edges at
+        /// its start.
         prune: f64 = 1.5 => "1.5",
         /// The axis runs into corners that are sharper than this.
         corner: Degrees = Degrees(30.0) => "30",

@@ -18,6 +18,8 @@ operation! {
 }
 
 impl Apply for Label {
+    const LABELS: bool = true;
+
     fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
         Arc::make_mut(&mut shape.style).label = Some(self.name.0.clone());
         Ok(Pieces::Told(Effect::Label(self.name.0)))

@@ -58,9 +58,10 @@ use crate::geometry::Area;
 use crate::placement::{Field, Standing};
 use crate::raster::Rasters;
 use crate::seed::Seed;
-use crate::shape::{Geometry, Shape};
+use crate::shape::{Geometry, NodeId, Shape};
 use crate::value::Value;
 use crate::world::World;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// Every operation, in the order of the manual.
@@ -110,6 +111,8 @@ pub struct Operation {
     pub spec: &'static Spec,
     /// It asks for what lies around the shape.
     pub looks_around: bool,
+    /// Its first argument becomes a label.
+    pub labels: bool,
     components: Components,
     apply: Application,
 }
@@ -144,6 +147,12 @@ pub struct Given<'a> {
     pub intra: &'a crate::shape::Occluders,
     /// The initial shapes of the neighbours.
     pub inter: &'a crate::shape::Occluders,
+    /// The features around the lot, from which its plants keep away.
+    pub beyond: &'a crate::shape::Occluders,
+    /// Every kind and layer of the layout and every label of the rules; none where labels are made up on the way.
+    pub names: Option<&'a BTreeSet<Arc<str>>>,
+    /// Whether a branch of the derivation is one that the shape comes from.
+    pub is_ancestor: &'a dyn Fn(NodeId) -> bool,
     /// The element repository.
     pub catalogue: &'a Catalogue,
     /// Where models come from.
@@ -186,6 +195,8 @@ pub struct Remark {
     pub message: String,
     /// The argument that it is about.
     pub parameter: Option<&'static str>,
+    /// It is worth knowing, and probably meant.
+    pub is_note: bool,
 }
 
 /// One successor.
@@ -202,6 +213,8 @@ pub enum Effect {
     Report(Arc<str>, Value),
     /// `print(value)`.
     Print(Value),
+    /// What was done, but hardly as meant.
+    Remark(Remark),
     /// `label(name)`: from now on occlusion queries find the shape under this name.
     Label(Arc<str>),
 }
@@ -221,6 +234,9 @@ pub struct Problem {
 pub trait Apply {
     /// It asks for what lies around the shape, so the engine must keep it.
     const LOOKS_AROUND: bool = false;
+
+    /// Its first argument becomes a label, so that rules may name it elsewhere.
+    const LABELS: bool = false;
 
     /// What the selectors of the block choose among; nothing for operations without selectors.
     fn components(&self, _shape: &Shape) -> Result<Vec<Component>, Problem> {
@@ -257,6 +273,7 @@ impl Operation {
         Operation {
             spec,
             looks_around: T::LOOKS_AROUND,
+            labels: T::LABELS,
             components: |values, shape| T::decode(values)?.components(shape),
             apply: |values, shape, given| T::decode(values)?.apply(shape, given),
         }

@@ -3,7 +3,7 @@
 use crate::element::{Catalogue, Entry};
 use crate::ops::declare::operation;
 use crate::ops::insert::{not_found, stand};
-use crate::ops::{Apply, Given, Pieces, Problem, Word};
+use crate::ops::{Apply, Effect, Given, Pieces, Problem, Remark, Word};
 use crate::plant::{Growth, Seeds, Sizes, Stock, Structure, age_class, choose};
 use crate::shape::{Grown, Placed, Shape};
 use crate::unit::{Metres, Share};
@@ -61,7 +61,10 @@ impl Apply for Plant {
         let age = self.age(given).min(self.oldest(&growth, radius / pruned));
         let sizes = Sizes { age, ..growth.sizes(age) };
         self.stand(shape, entry, &sizes, pruned, given);
-        Ok(Pieces::Changed)
+        // Where a range is given, younger plants are a matter of course.
+        let exact = self.min_age.filter(|least| self.max_age - least < 1.0);
+        let too_young = exact.filter(|least| age < least - 1e-6).map(|least| too_young(entry, least, &growth, shape));
+        Ok(too_young.map_or(Pieces::Changed, |remark| Pieces::Told(Effect::Remark(remark))))
     }
 }
 
@@ -146,6 +149,21 @@ impl Plant {
         };
         stand(shape, DVec3::new(width, height, width), placed);
     }
+}
+
+/// A plant that is younger than a rule wants it, since it would outgrow its place.
+fn too_young(entry: &Entry, least: f64, growth: &Growth, shape: &Shape) -> Remark {
+    let number = |n: f64| crate::text::number(n, 2);
+    let crown = number(0.5 * growth.sizes(least).crown_diameter);
+    let reserved = shape.ordinals.place.radius;
+    let room =
+        if reserved > 0.0 { format!("the {} m reserved for it", number(reserved)) } else { "`max_height`".into() };
+    let message = format!(
+        "`{}` of {} years is too large for {room} (its crown has a radius of {crown} m): it is planted younger",
+        entry.label,
+        number(least)
+    );
+    Remark { message, parameter: Some("min_age"), is_note: false }
 }
 
 /// The plants of a palette, or of a list of names.

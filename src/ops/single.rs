@@ -26,6 +26,11 @@ impl Apply for Single {
 
     fn apply(self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
         let (shared, ground) = (self.shared(), Ground::of(shape)?);
+        if shared.count.is_some() || shared.per_area.is_some() {
+            let parameter = if shared.count.is_some() { "count" } else { "per_area" };
+            let problem = Problem::new("`single` places one plant").hint("`semirandom` places more");
+            return Err(Problem { parameter: Some(parameter), ..problem });
+        }
         let radii = shared.radii(given.field("radius", self.radius.0.0))?;
         let site = shared.site(&ground, shape, given, &radii)?;
         let placed = placement::single(&site, &radii, &shared.amount(given)?, given.seed);

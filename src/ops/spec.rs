@@ -163,7 +163,14 @@ number_parameter! {
     crate::unit::Degrees, Degrees, crate::unit::Degrees;
     crate::unit::Share, Share, crate::unit::Share;
     crate::unit::PerArea, PerArea, crate::unit::PerArea;
-    u32, Count, |n: f64| n.round().clamp(0.0, f64::from(u32::MAX)) as u32;
+}
+
+impl Parameter for u32 {
+    const KIND: ParamKind = ParamKind::Count;
+    fn from_value(value: &Value) -> Option<Self> {
+        let number = value.as_float().filter(|n| *n > -0.5)?;
+        Some(number.round().min(f64::from(u32::MAX)) as u32)
+    }
 }
 
 impl Parameter for Size {

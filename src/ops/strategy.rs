@@ -23,13 +23,14 @@ macro_rules! strategy {
                     = $crate::ops::spec::Varying($crate::unit::Share(1.0)) => "1",
                 /// So many places instead of all, before `density`.
                 count: Option<u32> = None => "all",
-                /// So many places per m² of the shape instead of all, before `density`.
+                /// So many places per m² instead of all, before `density`; of the shape, the band or the disks, with
+                /// what is kept clear.
                 per_area: Option<$crate::unit::PerArea> = None => "all",
                 /// No radius is below this, metres.
                 radius_min: Option<$crate::unit::Metres> = None => "radius / 2",
                 /// What is kept clear of as well: kinds, labels or layers (`"pond kind:building layer:pipes"`).
                 avoid: Option<$crate::ops::Word> = None => "nothing",
-                /// How far (metres).
+                /// How far plants keep from what `avoid` names, metres.
                 margin: $crate::unit::Metres = $crate::unit::Metres(0.0) => "0",
             }
         }
@@ -66,7 +67,7 @@ impl Shared<'_> {
     /// Where plants may stand on the ground.
     pub fn site(&self, ground: &Ground, shape: &Shape, given: &Given, radii: &Radii) -> Result<Site, Problem> {
         let mut site = Site::new(ground.area.clone());
-        let avoided = self.avoid.map_or(Ok(Avoided::default()), |word| Avoided::parse(&word.0))?;
+        let avoided = self.avoid.map_or(Ok(Avoided::default()), |word| Avoided::parse("avoid", &word.0))?;
         let margin = not_negative("margin", self.margin.0)?;
         if !ground.level || ground.area.is_empty() {
             return Ok(site);
@@ -75,7 +76,7 @@ impl Shared<'_> {
         for (body, distance) in envelope::bodies(near, envelope, &avoided, margin, given) {
             site = site.clear_of(body, distance);
         }
-        site = site.standing(given.standing.near(near.grown(radii.largest())));
+        site = site.standing(given.standing.near(near.grown(radii.largest()), shape.ordinals.place.disk));
         Ok(if envelope.seams { site.within(given.outline.clone()) } else { site })
     }
 
@@ -98,6 +99,9 @@ impl Shared<'_> {
 
     /// How many plants are wanted.
     pub fn amount(&self, given: &Given) -> Result<Amount, Problem> {
+        if let Some(per_area) = self.per_area {
+            not_negative("per_area", per_area.0)?;
+        }
         let stop = match (self.count, self.per_area) {
             (None, None) => Stop::Saturated,
             (Some(count), None) => Stop::Count(count as usize),
@@ -126,13 +130,17 @@ impl Shared<'_> {
             let found = crate::text::counted(placed.spots.len(), "point");
             return Err(Problem::new(format!("{found} are more than the limit `children` of {}", given.most)));
         }
-        let remarks = self.remarks(ground, radii, &placed);
+        let remarks = self.remarks(ground, given, radii, &placed);
         Ok(Pieces::Placed(ground.children(shape, &placed.spots), remarks))
     }
 
-    fn remarks(&self, ground: &Ground, radii: &Radii, placed: &Placed) -> Vec<Remark> {
+    fn remarks(&self, ground: &Ground, given: &Given, radii: &Radii, placed: &Placed) -> Vec<Remark> {
         let mut remarks = Vec::new();
-        let mut remark = |parameter, message| remarks.push(Remark { message, parameter });
+        let avoided = self.avoid.and_then(|word| Avoided::parse("avoid", &word.0).ok());
+        if let Some(name) = avoided.as_ref().and_then(|avoided| avoided.unheard(given)) {
+            remarks.push(unheard("avoid", name, given));
+        }
+        let mut remark = |parameter, message| remarks.push(Remark { message, parameter, is_note: false });
         if radii.deviation > 0.5 * radii.mean.least() {
             let number = |n: f64| crate::text::number(n, 3);
             let (deviation, mean) = (number(radii.deviation), number(radii.mean.least()));
@@ -141,15 +149,26 @@ impl Shared<'_> {
         }
         if placed.missing > 0 {
             let parameter = self.count.map(|_| "count").or(self.per_area.map(|_| "per_area"));
-            let asked = placed.spots.len() + placed.missing;
-            let missing = crate::text::thousands(placed.missing);
-            remark(parameter, format!("{missing} of {} found no place", crate::text::counted(asked, "plant")));
+            let missing = crate::text::counted(placed.missing, "plant");
+            let of = self.count.map(|count| format!(" of {}", crate::text::thousands(count as usize)));
+            remark(parameter, format!("{missing}{} found no place", of.unwrap_or_default()));
         }
         if ground.area.is_empty() {
             remark(None, "there is no area to place on".into());
+        } else if placed.spots.is_empty() && placed.missing == 0 && self.density.0 >= 1.0 {
+            let message = "nothing is placed: no place keeps clear of all that stands and is to be kept clear".into();
+            remarks.push(Remark { message, parameter: None, is_note: true });
         }
         remarks
     }
+}
+
+/// A name that nothing has.
+pub fn unheard(parameter: &'static str, name: &str, given: &Given) -> Remark {
+    let near = crate::text::nearest(name, given.names.into_iter().flatten().map(|name| &**name));
+    let near = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
+    let message = format!("nothing is called `{name}`: no kind or layer of the layout and no label of the rules{near}");
+    Remark { message, parameter: Some(parameter), is_note: false }
 }
 
 /// A number from 0 up.

@@ -1,8 +1,9 @@
 //! `without`: what is left of a shape when others are taken off.
 
-use crate::geometry;
+use crate::geometry::{self, Area};
 use crate::ops::declare::operation;
-use crate::ops::{Apply, Given, Pieces, Problem, Word, fit};
+use crate::ops::envelope::{self, Avoided};
+use crate::ops::{Apply, Effect, Given, Pieces, Problem, Word, fit, strategy};
 use crate::shape::{Extent, Geometry, Shape};
 use crate::unit::Metres;
 use glam::{DAffine2, DVec2, DVec3};
@@ -35,10 +36,16 @@ impl Apply for Without {
             return Err(Problem::new("`without` takes level shapes"));
         };
         let (near, margin) = (on_plan.bounds(), self.margin.0.max(0.0));
-        let mut taken = given.intra.areas(near, &self.label.0, margin);
-        taken.extend(given.inter.areas(near, &self.label.0, margin));
+        let other = envelope::kind(&self.label.0);
+        let labels = [&*self.label.0, &*other];
+        let labels = if labels[0] == labels[1] { &labels[..1] } else { &labels[..] };
+        let areas = |label: &&str| [given.intra, given.inter].map(|set| set.areas(near, label, margin));
+        let taken: Vec<Area> = labels.iter().flat_map(areas).flatten().collect();
         if taken.is_empty() {
-            return Ok(Pieces::Changed);
+            let unheard = Avoided::parse("label", &self.label.0).ok();
+            let unheard = unheard.as_ref().and_then(|name| name.unheard(given));
+            let remark = unheard.map(|name| strategy::unheard("label", name, given));
+            return Ok(remark.map_or(Pieces::Changed, |remark| Pieces::Told(Effect::Remark(remark))));
         }
         let frame = shape.scope.frame;
         // From the plan straight down onto the shape's plane: the shape is level, so the map is affine.

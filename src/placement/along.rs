@@ -5,7 +5,7 @@
 
 use crate::geometry::Path;
 use crate::placement::beside::{Run, runs};
-use crate::placement::places::{Places, from_zero};
+use crate::placement::places::{Places, few_enough, from_zero};
 use crate::placement::walk::{Walk, check_spacing};
 use crate::placement::{Amount, Field, Placed, PlacementError, Radii, Site};
 use crate::seed::Seed;
@@ -55,12 +55,22 @@ pub fn along(
     seed: Seed,
 ) -> Result<Placed, PlacementError> {
     options.check()?;
-    let mut places = Places::new(site, radii, amount, options.spacing.least(), seed)?;
+    let mut places = Places::new(site, radii, amount, [options.spacing.least(), options.spacing.most()], seed)?;
+    few_enough(lines.iter().map(Line::length).sum::<f64>() / options.spacing.least())?;
     for (index, run) in runs(lines, options.inset, options.turn).iter().enumerate() {
         let stops = options.stops(run)?;
         places.take_run(&stops, run.closed, index as u32, |_| 0.0);
     }
     places.finish(amount)
+}
+
+impl Line {
+    /// Metres along it.
+    fn length(&self) -> f64 {
+        let closing = self.points.last().zip(self.points.first()).filter(|_| self.closed);
+        let pieces = self.points.windows(2).map(|w| w[0].distance(w[1]));
+        pieces.chain(closing.map(|(a, b)| a.distance(*b))).sum()
+    }
 }
 
 impl Along {
@@ -70,7 +80,7 @@ impl Along {
         from_zero("corner", self.corner)?;
         if !(0.0..=180.0).contains(&self.turn) {
             let allowed = "an angle from 0 to 180 degrees";
-            return Err(PlacementError::Value { parameter: "turn", found: self.turn, allowed });
+            return Err(PlacementError::Value { parameter: "bend", found: self.turn, allowed });
         }
         Ok(())
     }

@@ -3,7 +3,7 @@
 //! Niese et al. 2022, §5.3, equidistant (δ): a row down the middle of a strip, a ring around a house.
 
 use crate::geometry::{Branch, MedialAxis, Path};
-use crate::placement::places::Places;
+use crate::placement::places::{Places, few_enough};
 use crate::placement::walk::{Walk, check_spacing};
 use crate::placement::{Amount, Field, Placed, PlacementError, Radii, Site};
 use crate::seed::Seed;
@@ -27,7 +27,8 @@ pub fn equidistant(
     seed: Seed,
 ) -> Result<Placed, PlacementError> {
     check_spacing(spacing)?;
-    let mut places = Places::new(site, radii, amount, spacing.least(), seed)?;
+    let mut places = Places::new(site, radii, amount, [spacing.least(), spacing.most()], seed)?;
+    few_enough(axis.length() / spacing.least())?;
     let mut order: Vec<(f64, usize)> = axis.branches().iter().map(Branch::length).zip(0..).collect();
     order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     for (_, index) in order {

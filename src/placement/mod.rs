@@ -1,7 +1,8 @@
 //! Points in polygons: where plants stand. Knows polygons and seeds and no language.
 //!
-//! In: an area in plane metres, a count or a density, a seed. Out: points inside, in an order that means nothing but
-//! stays the same. Point number `n` of a scatter is the same whatever the count: asking for one more plant moves none.
+//! In: a site in plane metres (an area, what is kept clear, what stands), radii, an amount, a seed. Out: places with a
+//! radius each, in an order that means nothing but stays the same (Niese et al. 2022, §5.2–5.3). Beside the strategies
+//! stand plain points without spacing: point number `n` of a scatter is the same whatever the count.
 
 mod along;
 mod beside;

@@ -34,25 +34,24 @@ pub(super) struct Places<'a> {
 }
 
 impl<'a> Places<'a> {
-    /// None yet. Refuses radii that do not fit between places `apart` metres apart; where radii vary or are drawn,
-    /// they are only held to half of it.
+    /// None yet, for places that are from `least` to `most` metres apart. Refuses a radius of all that does not fit
+    /// between them; where radii vary or are drawn, they are held to half of what is there.
     pub fn new(
         site: &'a Site,
         radii: &'a Radii,
         amount: &Amount,
-        apart: f64,
+        [least, most]: [f64; 2],
         seed: Seed,
     ) -> Result<Self, PlacementError> {
         radii.check()?;
         amount.check()?;
-        let most = 0.5 * apart;
         let constant = matches!(radii.mean, Field::Constant(_)) && radii.deviation == 0.0;
-        if constant && radii.largest() > most + TOUCH {
+        if constant && radii.largest() > 0.5 * least + TOUCH {
             let allowed = "at most half of the way to the next place, so that disks do not overlap";
             return Err(PlacementError::Value { parameter: "radius", found: radii.largest(), allowed });
         }
-        let near = Near::new(apart);
-        Ok(Places { site, ready: Ready::of(site), radii, seed, most, spots: Vec::new(), near })
+        let near = Near::new(most);
+        Ok(Places { site, ready: Ready::of(site), radii, seed, most: 0.5 * most, spots: Vec::new(), near })
     }
 
     /// Whether the rim of the site's area is no nearer to a place than `distance` metres.

@@ -45,7 +45,7 @@ pub fn regular(
     seed: Seed,
 ) -> Result<Placed, PlacementError> {
     lattice.check()?;
-    let mut places = Places::new(site, radii, amount, lattice.cell, seed)?;
+    let mut places = Places::new(site, radii, amount, [lattice.cell; 2], seed)?;
     if lattice.bounds.is_empty() {
         return places.finish(amount);
     }

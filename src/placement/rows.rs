@@ -83,7 +83,7 @@ pub fn rows(
     seed: Seed,
 ) -> Result<Placed, PlacementError> {
     rows.check()?;
-    let mut places = Places::new(site, radii, amount, rows.apart(), seed)?;
+    let mut places = Places::new(site, radii, amount, [rows.apart(); 2], seed)?;
     if site.area().is_empty() {
         return places.finish(amount);
     }

@@ -26,7 +26,7 @@ pub enum Stop {
     Saturated,
     /// After so many plants.
     Count(usize),
-    /// After so many plants per m² of the active area.
+    /// After so many plants per m² of where the strategy places, before clearances are taken off.
     PerArea(f64),
 }
 

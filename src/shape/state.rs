@@ -81,4 +81,6 @@ pub struct Place {
     pub radius: f64,
     /// `place.cluster`: which cluster, row, branch or edge.
     pub cluster: u32,
+    /// The number of its disk among those that stand in the lot.
+    pub disk: Option<u32>,
 }

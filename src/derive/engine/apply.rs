@@ -3,6 +3,7 @@
 use crate::check::{Application, Block, Code};
 use crate::derive::engine::{Current, Engine, Stop, Turn};
 use crate::derive::evaluate::{self, Failure};
+use crate::derive::frame::climb;
 use crate::derive::position::{self, Varied};
 use crate::derive::select;
 use crate::diag::Span;
@@ -47,6 +48,7 @@ impl Engine<'_> {
         };
         let seed = current.shape.seed.child(current.count);
         current.count += 1;
+        let (branches, branch) = (&self.branches, current.branch);
         let given = Given {
             cuts: &cuts,
             chosen: &chosen,
@@ -59,6 +61,9 @@ impl Engine<'_> {
             standing: &self.standing,
             intra: &self.intra,
             inter: &self.inter,
+            beyond: &self.beyond,
+            names: self.names,
+            is_ancestor: &|other| climb(branches, branch).any(|own| own == other),
             catalogue: self.options.catalogue,
             world: self.options.world,
             rasters: self.rasters,
@@ -81,16 +86,19 @@ impl Engine<'_> {
         match pieces {
             Pieces::Changed => current.changed(),
             Pieces::Vanished => current.deleted = true,
+            Pieces::Told(Effect::Remark(remark)) => self.remark(application, remark, turn),
             Pieces::Told(effect) => self.effect(effect, turn, current),
             Pieces::Parts(parts) => {
                 current.used = true;
                 self.parts(application, parts, (seed, current.branch), turn)?;
             }
             Pieces::Beside(parts) => self.parts(application, parts, (seed, current.branch), turn)?,
-            Pieces::Placed(parts, remarks) => {
+            Pieces::Placed(mut parts, remarks) => {
                 remarks.into_iter().for_each(|remark| self.remark(application, remark, turn));
-                // What is placed stands from now on, whatever becomes of it and when.
-                parts.iter().for_each(|part| self.standing.add(disk(&part.shape, part.shape.ordinals.place.radius)));
+                // What is placed on the plan stands from now on, whatever becomes of it and when.
+                for shape in parts.iter_mut().map(|part| &mut part.shape).filter(|shape| is_upright(shape)) {
+                    shape.ordinals.place.disk = self.standing.add(disk(shape, shape.ordinals.place.radius));
+                }
                 self.parts(application, parts, (seed, current.branch), turn)?;
             }
         }
@@ -173,20 +181,34 @@ impl Engine<'_> {
                 let footprint = current.shape.footprint();
                 self.intra.add(Occluder { label: Some(label), layer: None, node: Some(current.branch), footprint });
             }
-            Effect::Label(_) => {}
+            Effect::Label(_) | Effect::Remark(_) => {}
+        }
+    }
+
+    /// A plant stands with its crown, unless it is the one for which a placement has reserved a place.
+    fn stand(&mut self, plant: &Shape) {
+        let size = plant.scope.size;
+        let crown = disk(plant, 0.5 * size.x.max(size.z));
+        let reserved = plant.ordinals.place.disk.and_then(|number| self.standing.get(number));
+        if reserved.is_none_or(|own| own.position.distance(crown.position) > own.radius) {
+            self.standing.add(crown);
         }
     }
 
     pub(super) fn leaf(&mut self, node: NodeId, branch: NodeId, shape: Box<Shape>) {
-        if self.program.looks_around && shape.ordinals.place.radius == 0.0 && is_plant(&shape) {
-            let size = shape.scope.size;
-            self.standing.add(disk(&shape, 0.5 * size.x.max(size.z)));
+        if self.program.looks_around && is_plant(&shape) && is_upright(&shape) {
+            self.stand(&shape);
         }
         if self.program.asks_for_solids && shape.is_closed() {
             self.intra.add(Occluder { label: None, layer: None, node: Some(branch), footprint: shape.footprint() });
         }
         self.outcome.leaves.push(LeafOf { node, shape });
     }
+}
+
+/// Whether its y points up: what is set on walls takes no place on the plan.
+fn is_upright(shape: &Shape) -> bool {
+    (shape.scope.frame.rotation * DVec3::Y).y > 0.999
 }
 
 /// A plant that is built.

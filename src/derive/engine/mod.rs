@@ -21,6 +21,7 @@ use crate::raster::Rasters;
 use crate::seed::{Random, Seed};
 use crate::shape::{Node, NodeId, Occluders, Outcome, Scope, Shape};
 use crate::value::Value;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -32,7 +33,7 @@ type Args = Box<[Value]>;
 
 /// Derives the region number `index` by a rule, with the values that it has from its context.
 pub(super) fn lot(run: &Run, index: usize, rule: u32, context: &[(usize, Value)]) -> Outcome {
-    let Run { program, options, rasters, progress, .. } = *run;
+    let Run { program, options, rasters, names, progress, .. } = *run;
     let lot = Beginning::of(run, index, rule, program.looks_around);
     let (attributes, failures) = lot.attributes(run, context);
     let symbol = program.rules[rule as usize].symbol;
@@ -41,10 +42,12 @@ pub(super) fn lot(run: &Run, index: usize, rule: u32, context: &[(usize, Value)]
         program,
         options,
         rasters,
+        names,
         progress,
         initial: lot.initial,
         intra: lot.intra,
         inter: lot.inter,
+        beyond: lot.beyond,
         standing: lot.standing,
         outline: lot.region.polygon.clone().into(),
         lot: lot.region.id.clone(),
@@ -89,10 +92,13 @@ struct Engine<'a> {
     program: &'a Program,
     options: &'a Options<'a>,
     rasters: &'a Rasters<'a>,
+    names: Option<&'a BTreeSet<Arc<str>>>,
     progress: &'a Progress,
     initial: Initial,
     intra: Occluders,
     inter: Occluders,
+    /// The features around the lot.
+    beyond: Occluders,
     /// The radii that plants keep for themselves so far.
     standing: Standing,
     /// The lot on the plan.

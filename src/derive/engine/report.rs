@@ -15,7 +15,8 @@ impl Engine<'_> {
     pub(super) fn remark(&mut self, application: &Application, remark: Remark, turn: &Turn) {
         let span = remark.parameter.and_then(|name| application.argument_span(name)).unwrap_or(application.span);
         let diagnostic = self.diagnostic("placement", span, remark.message, turn.node);
-        self.outcome.diagnostics.push(Diagnostic { severity: Severity::Lint, ..diagnostic });
+        let severity = if remark.is_note { Severity::Note } else { Severity::Lint };
+        self.outcome.diagnostics.push(Diagnostic { severity, ..diagnostic });
     }
 
     pub(super) fn problem(&self, application: &Application, problem: Problem, turn: &Turn) -> Stop {
