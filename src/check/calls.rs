@@ -248,14 +248,9 @@ impl Checker {
         }
         // Beyond a share or below nothing there is no meaning at all.
         if low == 0.0 && high == 1.0 || low >= 0.0 && number < 0.0 {
-            let allowed =
-                if high == 1.0 { "a share from 0 to 1".into() } else { format!("{} from 0 up", param.kind.words()) };
-            let found = crate::text::number(number, 4);
-            return self.tell(Diagnostic::error(
-                "arguments",
-                span,
-                format!("`{}` takes {allowed}, not {found}", param.name),
-            ));
+            let allowed = if high == 1.0 { "a share from 0 to 1" } else { "a number from 0 up" };
+            let message = format!("`{}` must be {allowed}, not {}", param.name, crate::text::number(number, 4));
+            return self.tell(Diagnostic::error("arguments", span, message));
         }
         let [low, high, found] = [low, high, number].map(|n| crate::text::number(n, 4));
         let message = format!("`{}` is {found}, beyond the usual {low} to {high}", param.name);

@@ -52,7 +52,7 @@ impl Apply for AlongLines {
             Some(names) => beside(&Avoided::parse("on", &names.0)?, self.inset.0, &ground, given),
             None => own,
         };
-        let followed = self.on.is_some().then(|| lines.is_empty());
+        let followed = self.on.is_some().then_some(lines.is_empty());
         let radii = shared.radii_or(given, self.radius, &spacing)?;
         let site = shared.site(&ground, shape, given, &radii)?;
         let options = Along {
