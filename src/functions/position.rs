@@ -74,7 +74,8 @@ pub(super) static LIST: &[Function] = &[
             let word = args.get(1).map_or("cover".into(), ToString::to_string);
             let measure =
                 Measure::parse(&word).ok_or_else(|| format!("cannot measure `{word}`: a band has a number"))?;
-            let raster = around.rasters.get(text_at(args, 0)?).map_err(|error| error.to_string())?;
+            let raster =
+                around.rasters.get(text_at(args, 0)?).map_err(|error| format!("has nothing to read: {error}"))?;
             Ok(Value::Float(raster.at(at(around)?.plan, &measure).unwrap_or(0.0)))
         },
     )

@@ -86,8 +86,7 @@ impl Engine<'_> {
         match pieces {
             Pieces::Changed => current.changed(),
             Pieces::Vanished => current.deleted = true,
-            Pieces::Told(Effect::Remark(remark)) => self.remark(application, remark, turn),
-            Pieces::Told(effect) => self.effect(effect, turn, current),
+            Pieces::Told(effect) => self.effect(application, effect, turn, current),
             Pieces::Parts(parts) => {
                 current.used = true;
                 self.parts(application, parts, (seed, current.branch), turn)?;
@@ -170,8 +169,9 @@ impl Engine<'_> {
         Ok(())
     }
 
-    fn effect(&mut self, effect: Effect, turn: &Turn, current: &Current) {
+    fn effect(&mut self, application: &Application, effect: Effect, turn: &Turn, current: &Current) {
         match effect {
+            Effect::Remark(remark) => self.remark(application, remark, turn),
             Effect::Report(key, value) => self.outcome.reports.push((key, value)),
             Effect::Print(value) => {
                 let symbol = self.outcome.nodes[turn.node.0 as usize].symbol;
@@ -181,7 +181,7 @@ impl Engine<'_> {
                 let footprint = current.shape.footprint();
                 self.intra.add(Occluder { label: Some(label), layer: None, node: Some(current.branch), footprint });
             }
-            Effect::Label(_) | Effect::Remark(_) => {}
+            Effect::Label(_) => {}
         }
     }
 
