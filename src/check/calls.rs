@@ -331,5 +331,9 @@ fn result(function: &functions::Function) -> Kind {
         functions::Gives::Number => Kind::Number,
         functions::Gives::Truth => Kind::Truth,
         functions::Gives::Text => Kind::Text,
+        functions::Gives::Numbers => Kind::Numbers,
+        functions::Gives::Truths => Kind::Truths,
+        functions::Gives::Texts => Kind::Texts,
+        functions::Gives::Same => Kind::Unknown,
     }
 }

@@ -33,7 +33,7 @@ impl Checker {
     /// An expression that must be true or false.
     pub(super) fn condition(&mut self, expr: &Expr) -> Code {
         let (code, kind) = self.value(expr);
-        if matches!(kind, Kind::Number | Kind::Text) {
+        if !matches!(kind, Kind::Truth | Kind::Unknown) {
             let message = format!("a condition must be true or false, found {}", words(kind));
             let hint = "compare it, as in `x > 0` or `name == \"oak\"`";
             self.tell(Diagnostic::error("kind", expr.span, message).hint(hint));
@@ -66,7 +66,7 @@ impl Checker {
     }
 
     fn expect_number(&mut self, kind: Kind, span: Span) {
-        if matches!(kind, Kind::Text | Kind::Truth) {
+        if !matches!(kind, Kind::Number | Kind::Unknown) {
             let message = format!("a number is wanted here, found {}", words(kind));
             self.tell(Diagnostic::error("kind", span, message));
         }
@@ -163,6 +163,9 @@ pub(super) fn words(kind: Kind) -> &'static str {
         Kind::Number => "a number",
         Kind::Truth => "a truth value",
         Kind::Text => "a text",
+        Kind::Numbers => "an array of numbers",
+        Kind::Truths => "an array of truth values",
+        Kind::Texts => "an array of texts",
         Kind::Unknown => "a value",
     }
 }

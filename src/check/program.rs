@@ -106,6 +106,12 @@ pub enum Kind {
     Truth,
     /// A text.
     Text,
+    /// An array of numbers.
+    Numbers,
+    /// An array of truth values.
+    Truths,
+    /// An array of texts.
+    Texts,
     /// Not known before derivation.
     Unknown,
 }

@@ -14,9 +14,10 @@ use bosquet::scene::{self, Scene};
 use bosquet::seed::Seed;
 use bosquet::shape::Derivation;
 use bosquet::text::{counted, nearest};
-use bosquet::value::Value;
+use bosquet::value::{Array, Cells, Value};
 use bosquet::world::World;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 use std::time::Instant;
 
 /// Runs it.
@@ -211,6 +212,9 @@ fn settings(program: &Program, set: &[(String, toml::Value)]) -> Result<Vec<(usi
                 let wanted = match kind {
                     Kind::Number => "a number",
                     Kind::Truth => "`true` or `false`",
+                    Kind::Numbers => "a list of numbers",
+                    Kind::Truths => "a list of truth values",
+                    Kind::Texts => "a list of texts",
                     Kind::Text | Kind::Unknown => "a text",
                 };
                 format!("`{name}` takes {wanted}, found `{value}`")
@@ -227,6 +231,18 @@ fn setting(value: &toml::Value, kind: Kind) -> Option<Value> {
         Kind::Number => number,
         Kind::Truth => truth,
         Kind::Text => Some(Value::text(text)),
+        Kind::Numbers | Kind::Truths | Kind::Texts => array(value, kind),
         Kind::Unknown => number.or(truth).or_else(|| Some(Value::text(text))),
     }
+}
+
+/// A list, all of the same type.
+fn array(value: &toml::Value, kind: Kind) -> Option<Value> {
+    let list = value.as_array()?;
+    let cells = match kind {
+        Kind::Numbers => Cells::Numbers(list.iter().map(|v| plain(v).parse().ok()).collect::<Option<_>>()?),
+        Kind::Truths => Cells::Truths(list.iter().map(toml::Value::as_bool).collect::<Option<_>>()?),
+        _ => Cells::Texts(list.iter().map(|v| plain(v).into()).collect()),
+    };
+    Some(Value::Array(Arc::new(Array::row(cells))))
 }

@@ -56,6 +56,14 @@ pub enum Gives {
     Truth,
     /// A text.
     Text,
+    /// An array of numbers.
+    Numbers,
+    /// An array of truth values.
+    Truths,
+    /// An array of texts.
+    Texts,
+    /// What its arguments are: `setElems`, `transpose`.
+    Same,
 }
 
 /// What a function may look at.
@@ -154,6 +162,11 @@ impl Function {
 
     const fn text(mut self) -> Function {
         self.gives = Gives::Text;
+        self
+    }
+
+    const fn gives(mut self, gives: Gives) -> Function {
+        self.gives = gives;
         self
     }
 

@@ -1,5 +1,9 @@
 //! The values of the language: what attributes hold, functions return and layout properties become.
 
+mod array;
+
+pub use array::{Array, Cells};
+
 use std::fmt;
 use std::sync::Arc;
 
@@ -16,6 +20,8 @@ pub enum Value {
     Word(Arc<str>),
     /// A number relative to the scope (`'0.3`) or floating (`~3`, the papers' `1r`).
     Size(Size),
+    /// Several values of one type, in rows and columns.
+    Array(Arc<Array>),
 }
 
 /// A length of a split or a transformation, before the scope is known.
@@ -45,6 +51,7 @@ impl Value {
             Value::Size(Size::Absolute(_)) => "a number",
             Value::Size(Size::Relative(_)) => "a relative size",
             Value::Size(Size::Floating(_)) => "a floating size",
+            Value::Array(array) => array.type_name(),
         }
     }
 
@@ -60,6 +67,14 @@ impl Value {
     pub fn as_str(&self) -> Option<&str> {
         match self {
             Value::Text(text) | Value::Word(text) => Some(text),
+            _ => None,
+        }
+    }
+
+    /// The array, if it is one.
+    pub fn as_array(&self) -> Option<&Arc<Array>> {
+        match self {
+            Value::Array(array) => Some(array),
             _ => None,
         }
     }
@@ -83,6 +98,7 @@ impl fmt::Display for Value {
             Value::Size(Size::Absolute(number)) => f.write_str(&crate::text::number(*number, 6)),
             Value::Size(Size::Relative(number)) => write!(f, "'{}", crate::text::number(*number, 6)),
             Value::Size(Size::Floating(number)) => write!(f, "~{}", crate::text::number(*number, 6)),
+            Value::Array(array) => write!(f, "{array}"),
         }
     }
 }
