@@ -225,8 +225,9 @@ impl Checker {
             self.tell(Diagnostic::error("block", call.span, format!("a block of {parts} is more than can be derived")));
         }
         let span = call.span;
-        let (args, arg_spans) = (args.into(), arg_spans.into());
-        Step::Apply(Box::new(Application { operation, args, arg_spans, block, bodies: bodies.into(), span }))
+        let ready = Application::ready(operation, &args);
+        let (args, arg_spans, bodies) = (args.into(), arg_spans.into(), bodies.into());
+        Step::Apply(Box::new(Application { operation, ready, args, arg_spans, block, bodies, span }))
     }
 
     fn no_repeat(&mut self, spec: &Spec, block: &ast::Block) {

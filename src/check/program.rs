@@ -3,7 +3,8 @@
 use crate::check::reach;
 use crate::diag::Span;
 use crate::functions::Function as Builtin;
-use crate::ops::Operation;
+use crate::ops::{Component, Given, Operation, Pieces, Problem, Ready};
+use crate::shape::Shape;
 use crate::syntax::Source;
 use crate::syntax::ast::{BinaryOp, SizeMark};
 use crate::value::Value;
@@ -187,6 +188,8 @@ pub enum Step {
 pub struct Application {
     /// The operation.
     pub operation: &'static Operation,
+    /// The operation with its arguments, where all are known before derivation.
+    pub ready: Option<Box<dyn Ready>>,
     /// One per parameter.
     pub args: Box<[Option<Code>]>,
     /// Where each argument is written; the operation's own place where there is none.
@@ -285,6 +288,32 @@ impl Program {
 }
 
 impl Application {
+    /// The operation with its arguments, where all of them are known.
+    pub fn ready(operation: &Operation, args: &[Option<Code>]) -> Option<Box<dyn Ready>> {
+        let known = |arg: &Option<Code>| match arg {
+            Some(code) => code.known().cloned().map(Some),
+            None => Some(None),
+        };
+        let mut values: Vec<Option<Value>> = args.iter().map(known).collect::<Option<_>>()?;
+        operation.ready(&mut values)
+    }
+
+    /// The components for the selectors; `values` are used up where the arguments were not known.
+    pub fn components(&self, values: &mut [Option<Value>], shape: &Shape) -> Result<Vec<Component>, Problem> {
+        match &self.ready {
+            Some(ready) => ready.components(shape),
+            None => self.operation.components(values, shape),
+        }
+    }
+
+    /// Changes the shape or gives its pieces; `values` are used up where the arguments were not known.
+    pub fn apply(&self, values: &mut [Option<Value>], shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
+        match &self.ready {
+            Some(ready) => ready.apply(shape, given),
+            None => self.operation.apply(values, shape, given),
+        }
+    }
+
     /// Where the argument of a parameter is written.
     pub fn argument_span(&self, parameter: &str) -> Option<Span> {
         let index = self.operation.spec.params.iter().position(|p| p.name == parameter)?;

@@ -29,7 +29,7 @@ pub use hull::{OrientedBox, convex_hull};
 pub use locate::{NearestEdge, nearest_on_segment};
 pub use medial::{Branch, MedialAxis, Pruning};
 pub use mesh::{Edge, Face, Mesh};
-pub use offset::{buffered, inset, offset};
+pub use offset::{buffered, inset, into_offset, offset};
 pub use path::{Path, stroke};
 pub use polygon::{Area, LEAST_AREA, Polygon, ring_area};
 pub use repair::repair;

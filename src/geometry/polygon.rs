@@ -70,6 +70,7 @@ impl Polygon {
     }
 
     /// The outer ring, counter-clockwise.
+    #[inline]
     pub fn outer(&self) -> &[DVec2] {
         let end = self.holes.as_ref().map_or(self.points.len(), |h| h[0] as usize);
         &self.points[..end]
@@ -111,6 +112,7 @@ impl Polygon {
     }
 
     /// The least axis-parallel rectangle around it.
+    #[inline]
     pub fn bounds(&self) -> Bounds {
         Bounds::of(self.outer().iter().copied())
     }
@@ -121,6 +123,7 @@ impl Polygon {
     }
 
     /// Moves it by `offset`, in place where nobody shares the buffer.
+    #[inline]
     fn translate(&mut self, offset: DVec2) {
         match Arc::get_mut(&mut self.points) {
             Some(points) => points.iter_mut().for_each(|p| *p += offset),
@@ -194,6 +197,7 @@ impl Area {
     }
 
     /// The least axis-parallel rectangle around it; empty bounds for nothing.
+    #[inline]
     pub fn bounds(&self) -> Bounds {
         self.0.iter().map(Polygon::bounds).fold(Bounds::EMPTY, Bounds::union)
     }
@@ -204,8 +208,21 @@ impl Area {
     }
 
     /// The same moved by `offset`, in place where nobody shares the buffers.
+    #[inline]
     pub fn into_translated(mut self, offset: DVec2) -> Area {
         self.0.iter_mut().for_each(|polygon| polygon.translate(offset));
+        self
+    }
+
+    /// One sound counter-clockwise ring in place of what it was, in its buffer where nobody shares that.
+    pub(super) fn with_ring(mut self, ring: &[DVec2]) -> Area {
+        match self.0.as_mut_slice() {
+            [only] if only.holes.is_none() => match Arc::get_mut(&mut only.points) {
+                Some(points) if points.len() == ring.len() => points.copy_from_slice(ring),
+                _ => only.points = ring.into(),
+            },
+            _ => self = Polygon::from_ring(ring).into(),
+        }
         self
     }
 

@@ -69,12 +69,12 @@ impl Apply for Comp {
         for (component, chosen) in components.into_iter().zip(given.chosen) {
             match chosen {
                 Some(choice) if choice.together => together.entry(choice.entry).or_default().push(component.shape),
-                Some(choice) => parts.push(Part { entry: choice.entry, shape: component.shape }),
+                Some(choice) => parts.push(Part::new(choice.entry, component.shape)),
                 None => {}
             }
         }
         for (entry, shapes) in together {
-            parts.push(Part { entry, shape: joined(shape, shapes)? });
+            parts.push(Part::new(entry, joined(shape, shapes)?));
         }
         Ok(Pieces::Parts(parts))
     }

@@ -54,7 +54,7 @@ impl Apply for Coverage {
         let cover = geometry::intersection(area, &found);
         let mut parts = Vec::new();
         let mut add = |entry, area: Area| {
-            parts.extend(fit::fitted(shape, Geometry::Flat(plane.clone(), area)).map(|shape| Part { entry, shape }));
+            parts.extend(fit::fitted(shape, Geometry::Flat(plane.clone(), area)).map(|shape| Part::new(entry, shape)));
         };
         let rest = geometry::difference(area, &cover);
         match given.chosen[0] {

@@ -115,6 +115,28 @@ pub struct Operation {
     pub labels: bool,
     components: Components,
     apply: Application,
+    ready: fn(&mut [Option<Value>]) -> Option<Box<dyn Ready>>,
+}
+
+/// An operation whose arguments are known before derivation: decoded once, applied to every shape.
+pub trait Ready: Send + Sync {
+    /// The components for the selectors.
+    fn components(&self, shape: &Shape) -> Result<Vec<Component>, Problem>;
+
+    /// Changes the shape or gives its pieces.
+    fn apply(&self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem>;
+}
+
+struct Decoded<T>(T);
+
+impl<T: Apply + Clone + Send + Sync> Ready for Decoded<T> {
+    fn components(&self, shape: &Shape) -> Result<Vec<Component>, Problem> {
+        self.0.components(shape)
+    }
+
+    fn apply(&self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
+        self.0.clone().apply(shape, given)
+    }
 }
 
 /// Arguments, one per parameter, and a shape → what selectors choose among.
@@ -203,8 +225,15 @@ pub struct Remark {
 pub struct Part {
     /// The entry of the block it goes to.
     pub entry: u16,
-    /// Its shape; the engine gives it its seed.
-    pub shape: Shape,
+    /// Its shape, in the box that it stays in; the engine gives it its seed.
+    pub shape: Box<Shape>,
+}
+
+impl Part {
+    /// A successor for an entry of the block.
+    pub fn new(entry: u16, shape: Shape) -> Part {
+        Part { entry, shape: Box::new(shape) }
+    }
 }
 
 /// What an operation tells beside the shape.
@@ -269,14 +298,20 @@ impl Pieces {
 }
 
 impl Operation {
-    const fn of<T: Apply + Decode>(spec: &'static Spec) -> Operation {
+    const fn of<T: Apply + Decode + Clone + Send + Sync + 'static>(spec: &'static Spec) -> Operation {
         Operation {
             spec,
             looks_around: T::LOOKS_AROUND,
             labels: T::LABELS,
             components: |values, shape| T::decode(values)?.components(shape),
             apply: |values, shape, given| T::decode(values)?.apply(shape, given),
+            ready: |values| T::decode(values).ok().map(|decoded| Box::new(Decoded(decoded)) as Box<dyn Ready>),
         }
+    }
+
+    /// The operation with its arguments, where they are known and can be taken; the values are used up.
+    pub fn ready(&self, values: &mut [Option<Value>]) -> Option<Box<dyn Ready>> {
+        (self.ready)(values)
     }
 
     /// The components for the selectors; the values are used up.

@@ -63,9 +63,9 @@ impl Apply for Setback {
                 let (a, b) = edges[strip.edge];
                 match choice.together {
                     true => together.entry(choice.entry).or_default().push(strip.area),
-                    false => parts.extend(
-                        fit::aligned(shape, plane, &strip.area, b - a).map(|s| Part { entry: choice.entry, shape: s }),
-                    ),
+                    false => {
+                        parts.extend(fit::aligned(shape, plane, &strip.area, b - a).map(|s| Part::new(choice.entry, s)))
+                    }
                 }
             }
             moved.remainder.polygons().iter().for_each(|p| remainder.push(p.clone()));
@@ -73,11 +73,11 @@ impl Apply for Setback {
         }
         for (entry, areas) in together {
             let whole = Geometry::Flat(plane.clone(), geometry::union_all(&areas));
-            parts.extend(fit::fitted(shape, whole).map(|shape| Part { entry, shape }));
+            parts.extend(fit::fitted(shape, whole).map(|shape| Part::new(entry, shape)));
         }
         if let Some(Some(choice)) = given.chosen.last() {
             let rest = fit::fitted(shape, Geometry::Flat(plane.clone(), remainder));
-            parts.extend(rest.map(|shape| Part { entry: choice.entry, shape }));
+            parts.extend(rest.map(|shape| Part::new(choice.entry, shape)));
         }
         let total = parts.len() as u32;
         (0..).zip(&mut parts).for_each(|(index, part)| part.shape.ordinals.comp = (index, total));

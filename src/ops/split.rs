@@ -87,7 +87,7 @@ impl Apply for Split {
             };
             if let Some(mut child) = child {
                 child.ordinals.split = (index, total);
-                parts.push(Part { entry: interval.entry, shape: child });
+                parts.push(Part::new(interval.entry, child));
             }
         }
         Ok(Pieces::Parts(parts))

@@ -36,10 +36,12 @@ impl Engine<'_> {
             _ => Vec::new(),
         };
         let (mut values, mut fields) = (Values::new(), Fields::new());
-        self.arguments(application, turn, current, &mut values, &mut fields)?;
+        if application.ready.is_none() {
+            self.arguments(application, turn, current, &mut values, &mut fields)?;
+        }
         let chosen = match &application.block {
             Block::Selectors(selectors) => {
-                let components = application.operation.components(&mut values.clone(), &current.shape);
+                let components = application.components(&mut values.clone(), &current.shape);
                 let components = components.map_err(|p| self.problem(application, p, turn))?;
                 let mut frame = self.frame(turn, current);
                 select::choose(selectors, &components, &mut frame).map_err(|f| self.failed(f, turn))?
@@ -69,7 +71,7 @@ impl Engine<'_> {
             rasters: self.rasters,
             most: self.options.limits.children,
         };
-        let pieces = application.operation.apply(&mut values, &mut current.shape, &given);
+        let pieces = application.apply(&mut values, &mut current.shape, &given);
         let pieces = pieces.map_err(|p| self.problem(application, p, turn))?;
         self.deliver(application, pieces, seed, turn, current)
     }
@@ -157,7 +159,7 @@ impl Engine<'_> {
             return Err(Stop::Lot(Box::new(self.diagnostic("limit", application.span, message, turn.node))));
         }
         for (index, part) in parts.into_iter().enumerate() {
-            let mut shape = Box::new(part.shape);
+            let mut shape = part.shape;
             shape.seed = seed.child(index as u64);
             let Some(body) = application.bodies.get(part.entry as usize) else { continue };
             let current = Current::new(shape, self.branch(branch));

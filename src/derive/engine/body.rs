@@ -32,7 +32,7 @@ impl Engine<'_> {
                 self.steps(otherwise, turn, current)
             }
             Body::Chance(arms, otherwise, span) => {
-                let mut left = current.random.uniform(0.0, 100.0);
+                let mut left = current.random().uniform(0.0, 100.0);
                 for (percent, body) in arms {
                     left -= self
                         .frame(turn, current)
@@ -80,7 +80,7 @@ impl Engine<'_> {
         let silent = open.iter().filter(|(_, weight)| weight.is_none()).count().max(1) as f64;
         let rest = (1.0 - given).max(0.0) / silent;
         let weights: SmallVec<[f64; 4]> = open.iter().map(|(_, weight)| weight.unwrap_or(rest)).collect();
-        Ok(current.random.choose(&weights).map(|index| open[index].0))
+        Ok(current.random().choose(&weights).map(|index| open[index].0))
     }
 
     fn step(&mut self, step: &Step, turn: &Turn, current: &mut Current) -> Result<(), Stop> {

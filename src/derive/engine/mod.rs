@@ -124,7 +124,8 @@ struct Turn {
 /// The current shape and what became of it so far.
 struct Current {
     shape: Box<Shape>,
-    random: Random,
+    /// Its own numbers, from the first draw on.
+    random: Option<Random>,
     /// The seed that they are drawn from.
     drawn: Seed,
     /// Its branch.
@@ -151,14 +152,19 @@ struct Heir {
 
 impl Current {
     fn new(shape: Box<Shape>, branch: NodeId) -> Current {
-        let (random, drawn) = (shape.seed.draw("rand"), shape.seed);
-        Current { branch, around: shape.scope, shape, random, drawn, count: 0, used: false, deleted: false, heir: None }
+        let (around, drawn) = (shape.scope, shape.seed);
+        Current { branch, around, shape, random: None, drawn, count: 0, used: false, deleted: false, heir: None }
+    }
+
+    /// Its own numbers: most shapes never draw one.
+    fn random(&mut self) -> &mut Random {
+        self.random.get_or_insert_with(|| self.drawn.draw("rand"))
     }
 
     /// After an operation: a new seed begins its numbers anew.
     fn changed(&mut self) {
         if self.shape.seed != self.drawn {
-            (self.random, self.drawn) = (self.shape.seed.draw("rand"), self.shape.seed);
+            (self.random, self.drawn) = (None, self.shape.seed);
         }
     }
 }
@@ -240,7 +246,7 @@ impl Engine<'_> {
                 room: evaluate::HIGHEST,
             },
             shape: &current.shape,
-            random: &mut current.random,
+            random: current.random.get_or_insert_with(|| current.drawn.draw("rand")),
             intra: &self.intra,
             inter: &self.inter,
             initial: &self.initial,
