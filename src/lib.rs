@@ -55,6 +55,7 @@ pub mod functions;
 pub mod geometry;
 pub mod layout;
 pub mod library;
+pub mod manual;
 pub mod ops;
 pub mod placement;
 pub mod plant;

@@ -28,6 +28,7 @@ const FLOORS: &[(&str, u32)] = &[
     ("stats", 6),
     ("derive", 7),
     ("export", 7),
+    ("manual", 8),
     ("cli", 9),
     ("main", 9),
 ];

@@ -7,6 +7,7 @@ mod derive;
 mod disk;
 mod job;
 mod limits;
+mod manual;
 mod new;
 mod ops;
 mod outputs;
@@ -36,6 +37,8 @@ enum Command {
     Check(check::Arguments),
     /// The manual: every operation, function, ground cover and element
     Ops(ops::Arguments),
+    /// Write the manual: a page an operation, with a plan of its example
+    Manual(manual::Arguments),
     /// Make a starter place that derives
     New(new::Arguments),
     /// Measure how plants stand, and how far two plantings are from each other
@@ -59,6 +62,7 @@ pub fn main() -> ExitCode {
         Command::Derive(arguments) => derive::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Ops(arguments) => ops::run(&arguments),
+        Command::Manual(arguments) => manual::run(&arguments),
         Command::New(arguments) => new::run(&arguments),
         Command::Stats(arguments) => stats::run(&arguments),
     };
