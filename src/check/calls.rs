@@ -1,7 +1,7 @@
 //! Names in expressions, and arguments put in the order of the parameters.
 
 use crate::check::Checker;
-use crate::check::program::{Code, Kind};
+use crate::check::code::{Code, Kind};
 use crate::diag::{Diagnostic, Span};
 use crate::functions;
 use crate::ops::{Param, ParamKind, Spec, UNBUILT_FUNCTIONS};
@@ -272,7 +272,7 @@ impl Checker {
         if let Some(slot) = self.loaded.modules[module].slots.get(&bare) {
             return Code::Value(Value::Float(f64::from(*slot)));
         }
-        if functions::find(name).is_some_and(|f| f.settable) {
+        if self.is_lost(name) || functions::find(name).is_some_and(|f| f.settable) {
             return Code::Value(Value::Word(name.clone()));
         }
         let settable = functions::all().filter(|f| f.settable).map(|f| f.name);
