@@ -153,7 +153,7 @@ impl Checker {
             return;
         }
         let near = crate::text::nearest(text, attribute.choices.iter().filter_map(Value::as_str));
-        let message = format!("`{text}` is none of the choices of `{}`: this is never so", attribute.name);
+        let message = format!("`{text}` is none of the choices of `{}`", attribute.name);
         let all: Vec<String> = attribute.choices.iter().take(8).map(|choice| format!("`{choice}`")).collect();
         let more = attribute.choices.len().saturating_sub(8);
         let rest = if more > 0 { format!(" and {more} more") } else { String::new() };

@@ -100,7 +100,7 @@ impl Checker {
             self.tell(Diagnostic::error("arguments", call.span, message));
             return None;
         }
-        if name.contains('.') && !call.leaf {
+        if name.contains('.') && !call.leaf && !self.leads_into_import(name) {
             let message = format!("there is no rule `{name}`");
             self.tell(Diagnostic::error("unknown-name", span, message).did_you_mean(near.as_deref()));
             return None;

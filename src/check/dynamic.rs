@@ -1,6 +1,6 @@
 //! Dynamic imports: `import(name = value).Rule` calls a rule with the import's attributes found anew.
 
-use crate::check::code::Code;
+use crate::check::code::{Code, Kind};
 use crate::check::program::{Fresh, Renewed, Step};
 use crate::check::{Checker, modules, order};
 use crate::diag::Diagnostic;
@@ -48,7 +48,7 @@ impl Checker {
                 }
                 Override::Protect(name) => {
                     if let Some(slot) = self.slot_in(inner, name) {
-                        protected.extend(self.own_value(inner, name).map(|code| (slot, code)));
+                        protected.extend(self.own_value(inner, &name.text).map(|(code, _)| (slot, code)));
                     }
                 }
                 Override::Rule(rule) => {
@@ -87,17 +87,17 @@ impl Checker {
     }
 
     /// The import's own expression of an attribute that the importer shares.
-    fn own_value(&mut self, inner: usize, name: &Name) -> Option<Code> {
+    pub(super) fn own_value(&mut self, inner: usize, name: &str) -> Option<(Code, Kind)> {
         let tree = self.loaded.modules[inner].tree.clone();
         let items = self.loaded.modules[inner].items.clone();
         let function = items.into_iter().find_map(|item| match &tree.items[item].kind {
-            ItemKind::Function(f) if f.name.text == name.text && modules::has_slot(f) => Some(f),
+            ItemKind::Function(f) if &*f.name.text == name && modules::has_slot(f) => Some(f),
             _ => None,
         })?;
         let (module, params) = (self.module, std::mem::take(&mut self.params));
         self.enter(inner, None);
-        let (code, _) = self.with_locals(&function.locals, &function.value);
+        let value = self.with_locals(&function.locals, &function.value);
         (self.module, self.params) = (module, params);
-        Some(code)
+        Some(value)
     }
 }

@@ -63,6 +63,8 @@ struct Checker {
     diagnostics: Vec<Diagnostic>,
     /// What each function gives, once known.
     function_kinds: Vec<Kind>,
+    /// The attribute whose value is read at the moment.
+    initialised: Option<u32>,
     /// The module whose names count at the moment.
     module: usize,
     /// The parameters and locals in scope.
@@ -79,6 +81,7 @@ impl Checker {
             symbols: BTreeMap::new(),
             diagnostics,
             function_kinds: Vec::new(),
+            initialised: None,
             module: 0,
             params: Vec::new(),
         };
@@ -141,6 +144,7 @@ impl Checker {
         let initials = std::mem::take(&mut self.loaded.initials);
         for (slot, (module, tree, initial)) in initials.iter().enumerate().filter_map(|(i, x)| Some((i, x.as_ref()?))) {
             self.enter(*module, None);
+            self.initialised = Some(slot as u32);
             let (value, kind) = match (initial, initial_item(tree, *initial)) {
                 (Initial::Item(_), ItemKind::Function(function)) if function.params.is_some() => continue,
                 (Initial::Item(_), ItemKind::Function(function)) => self.with_locals(&function.locals, &function.value),
@@ -155,6 +159,7 @@ impl Checker {
             self.loaded.attributes[slot].initial = value;
             self.loaded.attributes[slot].kind = kind;
         }
+        self.initialised = None;
         self.program.attributes = std::mem::take(&mut self.loaded.attributes);
     }
 
