@@ -113,9 +113,9 @@ impl Checker {
             self.enter(*module, function.params.as_deref());
             let (value, kind) = self.with_locals(&function.locals, &function.value);
             let slot = self.loaded.modules[*module].slots.get(&function.name.text).copied();
-            let value = match slot.filter(|_| modules::has_slot(function)) {
-                Some(slot) => Code::Listed(slot, Box::new(value)),
-                None => value,
+            let (value, kind) = match slot.filter(|_| modules::has_slot(function)) {
+                Some(slot) => (Code::Listed(slot, Box::new(value)), Kind::Unknown),
+                None => (value, kind),
             };
             self.function_kinds[index] = kind;
             self.program.functions.push(Function {
