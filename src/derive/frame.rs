@@ -38,9 +38,14 @@ pub(super) struct Frame<'f> {
 impl Frame<'_> {
     /// Evaluates on the current shape.
     pub fn with<T>(&mut self, f: impl FnOnce(&Names, &mut Surroundings) -> T) -> T {
+        self.on(self.shape, f)
+    }
+
+    /// Evaluates on another shape: a component that a selector asks about.
+    pub fn on<T>(&mut self, shape: &Shape, f: impl FnOnce(&Names, &mut Surroundings) -> T) -> T {
         let is_ancestor = |other: NodeId| climb(self.branches, self.branch).any(|branch| branch == other);
         let mut around = Surroundings {
-            shape: self.shape,
+            shape,
             random: self.random,
             intra: self.intra,
             inter: self.inter,
