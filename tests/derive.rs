@@ -266,7 +266,14 @@ const WORDS: &[&str] = &[
     "primitiveSphere",
     "primitiveCube",
     "with",
+    ":=",
+    "[",
+    "]",
+    ".+",
+    "comp",
     "style",
+    "extends",
+    "extension",
     "version",
     "alignScopeToAxes",
     "color",
@@ -300,6 +307,9 @@ proptest! {
 
 /// Every operation that takes numbers.
 const CALLS: &[&str] = &[
+    "print([$a : $b : $c])",
+    "print([1, 2; 3, 4][$a, [$b, $c]] .* [$a, $b])",
+    "print(comp(e) { $a : $b | scope.sx > $c = $a | all : $c }[$a : $b])",
     "split(x) { $a : A. | '$b : A. | ~$c : A. }",
     "split(z) { $a : A. | ~$b : A. }*",
     "split(y) { '$a : A. | { ~$b : A. | $c : A. }* }",

@@ -12,7 +12,7 @@ mod section;
 #[path = "common/tree.rs"]
 mod tree;
 
-use bosquet::check::{Program, check};
+use bosquet::check::{Program, check_style};
 use bosquet::derive::{Limits, Options, Progress, derive};
 use bosquet::diag::{Diagnostic, Place};
 use bosquet::element::Catalogue;
@@ -99,7 +99,7 @@ fn not_in_order(sections: &[Section]) -> Vec<String> {
 fn run(section: &Section) -> Given {
     let files = section.files.iter();
     let world = files.fold(MemoryWorld::default(), |world, file| world.with(file.path.clone(), file.text()));
-    let (program, mut diagnostics) = check(&world, "main.cga");
+    let (program, mut diagnostics) = check_style(&world, "main.cga", section.all("Style").next());
     if section.stage == "check" || diagnostics.iter().any(Diagnostic::is_error) {
         return Given { diagnostics, program, derivation: None };
     }

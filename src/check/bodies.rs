@@ -1,7 +1,8 @@
 //! Successors: operations with their blocks, rule calls, leaves.
 
 use crate::check::Checker;
-use crate::check::program::{Application, Block, Body, Code, Cut, Selector, Step, Successor, Test};
+use crate::check::code::Code;
+use crate::check::program::{Application, Block, Body, Cut, Selector, Step, Successor, Test};
 use crate::diag::{Diagnostic, Span};
 use crate::ops::{self, BlockKind, OPERATIONS, Operation, Origin, Selectors, Spec, UNBUILT_OPERATIONS};
 use crate::syntax::ast::{self, Arg, Call, Content, Entry, Expr, ExprKind, Op, Separator};
@@ -31,7 +32,7 @@ impl Checker {
         match op {
             Op::Call(call) => self.call(call),
             Op::Push(body, _) => Some(Step::Push(self.body(body))),
-            Op::Dynamic { import, .. } => self.unbuilt_step(import.span, "dynamic imports"),
+            Op::Dynamic { import, overrides, call } => self.dynamic(import, overrides, call),
             Op::Inline { span, .. } => self.unbuilt_step(*span, "`inline`"),
         }
     }
@@ -81,7 +82,7 @@ impl Checker {
     }
 
     /// A name that is neither operation nor rule: a leaf, or a slip of the pen.
-    fn stranger(&mut self, call: &Call) -> Option<Step> {
+    pub(super) fn stranger(&mut self, call: &Call) -> Option<Step> {
         let name = &call.name.text;
         if self.is_lost(name) {
             return None;
@@ -99,7 +100,7 @@ impl Checker {
             self.tell(Diagnostic::error("arguments", call.span, message));
             return None;
         }
-        if name.contains('.') && !call.leaf {
+        if name.contains('.') && !call.leaf && !self.leads_into_import(name) {
             let message = format!("there is no rule `{name}`");
             self.tell(Diagnostic::error("unknown-name", span, message).did_you_mean(near.as_deref()));
             return None;
@@ -129,14 +130,14 @@ impl Checker {
         crate::element::Catalogue::built_in().cover(name).is_some()
     }
 
-    fn successor(&mut self, call: &Call, rule: Option<u32>) -> Step {
+    pub(super) fn successor(&mut self, call: &Call, rule: Option<u32>) -> Step {
         if let Some(block) = call.blocks.first() {
             let message = format!("`{}` is a rule: it takes no block", call.name.text);
             self.tell(Diagnostic::error("block", block.span, message));
         }
         let symbol = self.symbol(&call.name.text);
         let args = call.args.iter().map(|arg| self.positional(arg)).collect();
-        Step::Successor(Successor { symbol, rule, args, span: call.span })
+        Step::Successor(Successor { symbol, rule, args, fresh: None, span: call.span })
     }
 
     fn positional(&mut self, arg: &Arg) -> Code {
@@ -147,7 +148,7 @@ impl Checker {
         self.value(&arg.value).0
     }
 
-    fn rule_named(&self, name: &Arc<str>, count: usize) -> Option<u32> {
+    pub(super) fn rule_named(&self, name: &Arc<str>, count: usize) -> Option<u32> {
         let (module, bare) = self.path(name);
         if &*bare == "start" && module != self.module {
             return self.start_of(module);
@@ -157,8 +158,8 @@ impl Checker {
 
     /// `import.start`: the start rule of an imported file.
     fn start_of(&self, module: usize) -> Option<u32> {
-        let items = self.loaded.modules[module].tree.items.iter();
-        let mut start = items.filter_map(|item| match &item.kind {
+        let module_of = &self.loaded.modules[module];
+        let mut start = module_of.items.iter().filter_map(|item| match &module_of.tree.items[*item].kind {
             ast::ItemKind::Rule(rule) if rule.mark == Some(ast::RuleMark::Start) => Some(rule.name.text.clone()),
             _ => None,
         });
@@ -304,7 +305,7 @@ impl Checker {
         Some(Selector { test: test?, together: head.separator != Separator::Each })
     }
 
-    fn test(&mut self, extra: &'static [&'static str], key: &Expr) -> Option<Test> {
+    pub(super) fn test(&mut self, extra: &'static [&'static str], key: &Expr) -> Option<Test> {
         match &key.kind {
             ExprKind::Call(word, None) if &**word == "remainder" && extra.contains(&"remainder") => {
                 Some(Test::Remainder)

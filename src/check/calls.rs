@@ -1,7 +1,7 @@
 //! Names in expressions, and arguments put in the order of the parameters.
 
 use crate::check::Checker;
-use crate::check::program::{Code, Kind};
+use crate::check::code::{Code, Kind};
 use crate::diag::{Diagnostic, Span};
 use crate::functions;
 use crate::ops::{Param, ParamKind, Spec, UNBUILT_FUNCTIONS};
@@ -17,6 +17,9 @@ impl Checker {
             return (Code::Value(Value::Word(name.clone())), Kind::Text);
         }
         let (module, bare) = self.path(name);
+        if let Some(found) = self.shared_with_itself(module, &bare, args) {
+            return found;
+        }
         if let Some(found) = self.own_name(module, &bare, args, module == self.module) {
             return found;
         }
@@ -45,9 +48,22 @@ impl Checker {
         (module, rest.into())
     }
 
+    /// Whether a name is one of an import, whether or not it means anything there.
+    pub(super) fn leads_into_import(&self, name: &Arc<str>) -> bool {
+        !self.path(name).1.contains('.')
+    }
+
     /// Whether a name leads into an import that could not be loaded.
     pub(super) fn is_lost(&self, name: &str) -> bool {
         name.split_once('.').is_some_and(|(import, _)| self.loaded.modules[self.module].missing.contains(import))
+    }
+
+    /// `attr width = plants.width` is that attribute itself, since the import shares it by name: its file's own value
+    /// is meant.
+    fn shared_with_itself(&mut self, module: usize, name: &Arc<str>, args: Option<&[Arg]>) -> Option<(Code, Kind)> {
+        let slot = self.loaded.modules[module].slots.get(name).copied();
+        let is_itself = slot.is_some() && slot == self.initialised && module != self.module && args.is_none();
+        if is_itself { self.own_value(module, name) } else { None }
     }
 
     /// A parameter, attribute or function of the files.
@@ -272,7 +288,7 @@ impl Checker {
         if let Some(slot) = self.loaded.modules[module].slots.get(&bare) {
             return Code::Value(Value::Float(f64::from(*slot)));
         }
-        if functions::find(name).is_some_and(|f| f.settable) {
+        if self.is_lost(name) || functions::find(name).is_some_and(|f| f.settable) {
             return Code::Value(Value::Word(name.clone()));
         }
         let settable = functions::all().filter(|f| f.settable).map(|f| f.name);

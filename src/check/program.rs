@@ -1,12 +1,11 @@
 //! The checked program: names are indices, arguments stand in the order of the parameters, nothing is left to look up.
 
+use crate::check::code::{Code, Kind};
 use crate::check::reach;
 use crate::diag::Span;
-use crate::functions::Function as Builtin;
 use crate::ops::{Component, Given, Operation, Pieces, Problem, Ready};
 use crate::shape::Shape;
 use crate::syntax::Source;
-use crate::syntax::ast::{BinaryOp, SizeMark};
 use crate::value::Value;
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -32,6 +31,8 @@ pub struct Program {
     pub zones: Vec<Zone>,
     /// The main file's `start` rule or `@StartRule`.
     pub start: Option<u32>,
+    /// The styles of the main file beside `Default`, in the order of the text.
+    pub styles: Vec<Arc<str>>,
     /// Every label that is written in the rules; `None` among them stands for such as are made up on the way.
     pub labels: BTreeSet<Option<Arc<str>>>,
     /// Some rule asks what lies around a shape, so the engine keeps features and labels.
@@ -94,58 +95,10 @@ pub struct Attribute {
     pub range: Option<(f64, f64)>,
     /// `@Enum(…)` or `@Range("a", "b")`.
     pub choices: Vec<Value>,
+    /// `restricted = false`: it may have other values than the choices.
+    pub is_open: bool,
     /// Where its name is written.
     pub span: Span,
-}
-
-/// What an expression gives, as far as it can be seen before derivation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// A number.
-    Number,
-    /// A truth value.
-    Truth,
-    /// A text.
-    Text,
-    /// An array of numbers.
-    Numbers,
-    /// An array of truth values.
-    Truths,
-    /// An array of texts.
-    Texts,
-    /// Not known before derivation.
-    Unknown,
-}
-
-/// A checked expression.
-#[derive(Clone)]
-pub enum Code {
-    /// A value.
-    Value(Value),
-    /// A parameter or local of the rule or function, by position.
-    Param(u32),
-    /// An attribute, by slot.
-    Attribute(u32),
-    /// A function of a file.
-    Function(u32, Box<[Code]>),
-    /// A built-in function or shape attribute.
-    Builtin(&'static Builtin, Box<[Code]>, Span),
-    /// `'x`, `~x`.
-    Sized(SizeMark, Box<Code>, Span),
-    /// `-x`.
-    Negate(Box<Code>, Span),
-    /// `!x`.
-    Not(Box<Code>, Span),
-    /// `a && b`: the right side is evaluated where the left is true.
-    And(Box<(Code, Code)>, Span),
-    /// `a || b`: the right side is evaluated where the left is false.
-    Or(Box<(Code, Code)>, Span),
-    /// Sums, products, comparisons.
-    Binary(BinaryOp, Box<(Code, Code)>, Span),
-    /// `case`.
-    Case(Box<[(Code, Code)]>, Box<Code>, Span),
-    /// `30% :`.
-    Chance(Box<[(Code, Code)]>, Box<Code>, Span),
 }
 
 /// A checked successor.
@@ -158,6 +111,8 @@ pub enum Body {
     Chance(Box<[(Code, Body)]>, Box<Body>, Span),
     /// The papers' alternatives: of those whose condition holds one by probability.
     Alternatives(Box<[Alternative]>),
+    /// `with`: locals, which follow the parameters, and the body that uses them.
+    With(Box<[Code]>, Box<Body>),
 }
 
 /// One of several rules with the same predecessor.
@@ -225,6 +180,7 @@ pub enum Cut {
 }
 
 /// An entry of a selector block.
+#[derive(Clone)]
 pub struct Selector {
     /// What it asks for.
     pub test: Test,
@@ -233,6 +189,7 @@ pub struct Selector {
 }
 
 /// What a selector asks for.
+#[derive(Clone)]
 pub enum Test {
     /// A word.
     Word(Arc<str>),
@@ -252,8 +209,26 @@ pub struct Successor {
     pub rule: Option<u32>,
     /// Its arguments.
     pub args: Box<[Code]>,
+    /// `import(name = value).Rule`: the attributes that are found anew.
+    pub fresh: Option<Box<Fresh>>,
     /// Where it is written.
     pub span: Span,
+}
+
+/// What a dynamic import finds anew for one call, by slot.
+pub struct Fresh {
+    /// The values in its parentheses, in the names of the caller.
+    pub given: Box<[(u32, Code)]>,
+    /// Every other attribute of the import and of its own imports, in the order in which they need each other.
+    pub anew: Box<[(u32, Renewed)]>,
+}
+
+/// Where a fresh value comes from.
+pub enum Renewed {
+    /// The attribute's own initial value.
+    Initial,
+    /// The file's own expression, since the parentheses protect it from the importer's attribute of that name.
+    Protected(Code),
 }
 
 impl Program {
@@ -329,30 +304,12 @@ impl Attribute {
     }
 }
 
-impl Code {
-    /// The expressions directly inside.
-    pub fn parts(&self) -> Vec<&Code> {
+impl Test {
+    /// The expression that it asks with.
+    pub fn code(&self) -> Option<&Code> {
         match self {
-            Code::Value(_) | Code::Param(_) | Code::Attribute(_) => Vec::new(),
-            Code::Function(_, args) | Code::Builtin(_, args, _) => args.iter().collect(),
-            Code::Sized(_, inner, _) | Code::Negate(inner, _) | Code::Not(inner, _) => vec![inner],
-            Code::And(pair, _) | Code::Or(pair, _) | Code::Binary(_, pair, _) => vec![&pair.0, &pair.1],
-            Code::Case(arms, otherwise, _) | Code::Chance(arms, otherwise, _) => {
-                arms.iter().flat_map(|(test, value)| [test, value]).chain([&**otherwise]).collect()
-            }
-        }
-    }
-
-    /// How high its tree is.
-    pub fn height(&self) -> usize {
-        1 + self.parts().into_iter().map(Code::height).max().unwrap_or(0)
-    }
-
-    /// The value, where it is known before derivation.
-    pub fn known(&self) -> Option<&Value> {
-        match self {
-            Code::Value(value) => Some(value),
-            _ => None,
+            Test::Index(code) | Test::Condition(code) => Some(code),
+            Test::Word(_) | Test::Remainder => None,
         }
     }
 }

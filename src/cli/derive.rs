@@ -41,7 +41,7 @@ fn work(arguments: &Arguments, job: &Job, begun: Instant) -> Ended {
     let world = if arguments.allow_outside { world.open_all() } else { world };
     // What the manifest says is known; now its hash is.
     job.manifest.iter().for_each(|path| drop(world.named(path)));
-    let (program, mut found) = bosquet::check::check(&world, &job.rules);
+    let (program, mut found) = bosquet::check::check_style(&world, &job.rules, job.style.as_deref());
     let is_broken = found.iter().any(Diagnostic::is_error);
     let layout = layout(job, &world, &mut found).filter(|_| !is_broken);
     let Some(layout) = layout else { return refused(&found, &program) };
@@ -232,13 +232,17 @@ fn setting(value: &toml::Value, kind: Kind) -> Option<Value> {
         Kind::Truth => truth,
         Kind::Text => Some(Value::text(text)),
         Kind::Numbers | Kind::Truths | Kind::Texts => array(value, kind),
+        Kind::Unknown if value.is_array() => {
+            [Kind::Numbers, Kind::Truths, Kind::Texts].into_iter().find_map(|kind| array(value, kind))
+        }
         Kind::Unknown => number.or(truth).or_else(|| Some(Value::text(text))),
     }
 }
 
-/// A list, all of the same type.
+/// A list, all of the same type; on the command line written as in a manifest: `[1, 2]`, `["oak", "lime"]`.
 fn array(value: &toml::Value, kind: Kind) -> Option<Value> {
-    let list = value.as_array()?;
+    let written = value.as_str().and_then(|text| toml::from_str::<toml::Table>(&format!("list = {text}")).ok());
+    let list = written.as_ref().and_then(|table| table.get("list")).unwrap_or(value).as_array()?;
     let cells = match kind {
         Kind::Numbers => Cells::Numbers(list.iter().map(|v| plain(v).parse().ok()).collect::<Option<_>>()?),
         Kind::Truths => Cells::Truths(list.iter().map(toml::Value::as_bool).collect::<Option<_>>()?),

@@ -20,6 +20,9 @@ pub struct Arguments {
     /// The rule to begin with on every region
     #[arg(long, value_name = "RULE")]
     pub start: Option<String>,
+    /// The style of the rule file
+    #[arg(long, value_name = "NAME")]
+    pub style: Option<String>,
     /// The seed of everything that is left to chance
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
@@ -75,6 +78,8 @@ pub struct Job {
     pub folders: Vec<PathBuf>,
     /// The start rule for every region.
     pub start: Option<String>,
+    /// The style of the rule file.
+    pub style: Option<String>,
     /// The seed.
     pub seed: u64,
     /// Values of attributes, later ones over earlier ones.
@@ -114,6 +119,7 @@ impl Job {
         let job = Job {
             folders,
             start: arguments.start.clone().or(manifest.start),
+            style: arguments.style.clone().or(manifest.style),
             seed: arguments.seed.or(manifest.seed).unwrap_or(1),
             set: set(manifest.attributes, &arguments.set)?,
             catalogues: manifest.catalogues.iter().map(here).chain(arguments.catalogue.iter().cloned()).collect(),

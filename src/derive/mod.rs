@@ -3,12 +3,14 @@
 //! A lot's derivation needs the program, the lot, its features, its neighbours' outlines and a seed, and nothing
 //! else; so lots are derived in parallel, and threads change nothing. The engine knows no operation by name.
 
+mod arrays;
 mod beginning;
 mod context;
 mod engine;
 mod evaluate;
 mod frame;
 mod initial;
+mod measure;
 mod position;
 mod select;
 mod start;

@@ -81,7 +81,7 @@ impl Apply for Comp {
 }
 
 /// All taken faces as one shape in the parent's frame.
-fn joined(parent: &Shape, shapes: Vec<Shape>) -> Result<Shape, Problem> {
+pub fn joined(parent: &Shape, shapes: Vec<Shape>) -> Result<Shape, Problem> {
     let inverse = parent.scope.frame.rotation.inverse();
     let origin = parent.scope.frame.origin;
     let to_parent = glam::DAffine3::from_rotation_translation(inverse, inverse * -origin);

@@ -47,6 +47,7 @@ mod strategy;
 mod t;
 mod without;
 
+pub use comp::joined;
 pub use faces::{Component, Selectors};
 pub use ground::Ground;
 pub use spec::{AttributeName, BlockKind, Origin, Param, ParamKind, Parameter, Spec, Word};

@@ -2,7 +2,7 @@
 
 use bosquet::geometry::Polygon;
 use bosquet::layout::{Feature, Kind, Layout, Region, Shapes};
-use bosquet::value::Value;
+use bosquet::value::{Array, Cells, Value};
 use glam::DVec2;
 use std::sync::Arc;
 
@@ -33,8 +33,12 @@ pub fn layout(mut regions: Vec<Region>, features: Vec<Feature>) -> Layout {
     Layout { regions, features, ..Layout::default() }
 }
 
-/// A value as written behind `name=`: a number, a truth value, or else a text.
+/// A value as written behind `name=`: a number, a truth value, a list of numbers such as `[1,2]`, or else a text.
 pub fn value(text: &str) -> Value {
+    if let Some(list) = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
+        let numbers = list.split(',').map(|number| number.parse().expect("a number")).collect();
+        return Value::Array(Arc::new(Array::row(Cells::Numbers(numbers))));
+    }
     match (text.parse::<f64>(), text) {
         (Ok(number), _) => Value::Float(number),
         (_, "true" | "false") => Value::Bool(text == "true"),

@@ -44,7 +44,8 @@ impl Engine<'_> {
                 let components = application.components(&mut values.clone(), &current.shape);
                 let components = components.map_err(|p| self.problem(application, p, turn))?;
                 let mut frame = self.frame(turn, current);
-                select::choose(selectors, &components, &mut frame).map_err(|f| self.failed(f, turn))?
+                let chosen = frame.with(|names, around| select::choose(selectors, &components, names, around));
+                chosen.map_err(|f| self.failed(f, turn))?
             }
             _ => Vec::new(),
         };

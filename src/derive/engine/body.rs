@@ -44,6 +44,11 @@ impl Engine<'_> {
                 }
                 self.steps(otherwise, turn, current)
             }
+            Body::With(locals, body) => {
+                let args = self.frame(turn, current).with(|n, a| evaluate::extended(locals, n, a));
+                let args = args.map_err(|f| self.failed(f, turn))?;
+                self.steps(body, &Turn { args, ..*turn }, current)
+            }
             Body::Alternatives(alternatives) => match self.alternative(alternatives, turn, current)? {
                 Some(body) => self.steps(body, turn, current),
                 None => Ok(()),
@@ -136,7 +141,9 @@ impl Engine<'_> {
             args.push(value.map_err(|f| self.failed(f, turn))?);
         }
         let seed = current.shape.seed.child(current.count);
-        current.heir = Some(Heir { symbol: successor.symbol, rule: successor.rule, args: args.into(), seed });
+        let attributes = successor.fresh.as_ref().map(|fresh| self.fresh(fresh, seed, turn, current)).transpose()?;
+        let (symbol, rule, args) = (successor.symbol, successor.rule, args.into());
+        current.heir = Some(Heir { symbol, rule, args, attributes, seed });
         current.count += 1;
         current.used = true;
         Ok(())
@@ -150,8 +157,11 @@ impl Engine<'_> {
     }
 
     pub(super) fn succeed(&mut self, heir: Heir, mut shape: Box<Shape>, branch: NodeId, turn: &Turn) {
-        let Heir { symbol, rule, args, seed } = heir;
+        let Heir { symbol, rule, args, attributes, seed } = heir;
         shape.seed = seed;
+        if let Some(attributes) = attributes {
+            shape.attributes = attributes;
+        }
         self.queue.push(Task { shape, parent: turn.node, branch, symbol, rule, args, depth: turn.depth + 1 });
     }
 }

@@ -6,6 +6,7 @@
 
 mod apply;
 mod body;
+mod fresh;
 mod report;
 
 use crate::check::{Body, Program};
@@ -147,6 +148,8 @@ struct Heir {
     symbol: u32,
     rule: Option<u32>,
     args: Args,
+    /// Those of a dynamic import.
+    attributes: Option<Arc<[Value]>>,
     seed: Seed,
 }
 
