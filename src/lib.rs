@@ -56,6 +56,7 @@ pub mod geometry;
 pub mod layout;
 pub mod library;
 pub mod ops;
+pub mod pattern;
 pub mod placement;
 pub mod plant;
 pub mod raster;

@@ -10,6 +10,7 @@ const FLOORS: &[(&str, u32)] = &[
     ("seed", 1),
     ("text", 1),
     ("library", 1),
+    ("pattern", 1),
     ("geometry", 2),
     ("value", 2),
     ("diag", 2),
