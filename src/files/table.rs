@@ -25,7 +25,7 @@ impl Table {
     /// The table in a text; rows that are too short are filled up with empty cells. Cost: linear.
     pub fn read(text: &str) -> Result<Table, String> {
         let text = clean(text);
-        let rows = rows(&text, delimiter(&text), usize::MAX);
+        let rows = Reader::read(&text, delimiter(&text), usize::MAX).rows;
         let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
         if rows.len().saturating_mul(columns) > MOST_CELLS {
             return Err(format!("has {} rows of {columns}: a table has at most {MOST_CELLS} cells", rows.len()));
@@ -51,10 +51,10 @@ impl Table {
 /// The delimiter that divides the first lines into the same number of cells, more than one; else the one that is there.
 fn delimiter(text: &str) -> char {
     let score = |delimiter: char| {
-        let rows = rows(text, delimiter, LINES_TO_TELL);
-        let first = rows.first().map_or(0, Vec::len);
-        let is_even = first > 1 && rows.iter().all(|row| row.len() == first);
-        (is_even, rows.iter().any(|row| row.len() > 1))
+        let reader = Reader::read(text, delimiter, LINES_TO_TELL);
+        let first = reader.rows.first().map_or(0, Vec::len);
+        let is_even = first > 1 && reader.rows.iter().all(|row| row.len() == first);
+        (is_even && !reader.is_broken, reader.rows.iter().any(|row| row.len() > 1))
     };
     let scores = [';', '\t', ',', ' '].map(|delimiter| (delimiter, score(delimiter)));
     let even = scores.iter().find(|(_, (is_even, _))| *is_even);
@@ -63,38 +63,49 @@ fn delimiter(text: &str) -> char {
     even.or_else(there).map_or(',', |(delimiter, _)| *delimiter)
 }
 
-/// The rows of a text, at most so many. Empty lines are none.
-fn rows(text: &str, delimiter: char, most: usize) -> Vec<Vec<String>> {
-    let mut reader = Reader { rows: Vec::new(), row: Vec::new(), cell: String::new(), was_quoted: false };
-    let mut letters = text.chars().peekable();
-    let mut quoted = false;
-    while let Some(letter) = letters.next() {
-        if reader.rows.len() >= most {
-            return reader.rows;
-        }
-        match letter {
-            '"' if quoted && letters.next_if_eq(&'"').is_some() => reader.cell.push('"'),
-            '"' if quoted => quoted = false,
-            '"' if reader.cell.is_empty() => (quoted, reader.was_quoted) = (true, true),
-            '\n' if !quoted => reader.end_row(),
-            // Several spaces are one delimiter.
-            ' ' if delimiter == ' ' && !quoted && reader.cell.is_empty() && !reader.was_quoted => {}
-            letter if letter == delimiter && !quoted => reader.end_cell(),
-            letter => reader.cell.push(letter),
-        }
-    }
-    reader.end_row();
-    reader.rows
-}
-
+/// What was read of a table.
+#[derive(Default)]
 struct Reader {
     rows: Vec<Vec<String>>,
     row: Vec<String>,
     cell: String,
+    /// The cell stood in quotes.
     was_quoted: bool,
+    /// Something follows the quotes of a cell, so the delimiter is probably another.
+    is_broken: bool,
 }
 
 impl Reader {
+    /// The rows of a text, at most so many. Empty lines are none.
+    fn read(text: &str, delimiter: char, most: usize) -> Reader {
+        let mut reader = Reader::default();
+        let mut letters = text.chars().peekable();
+        let mut quoted = false;
+        while let Some(letter) = letters.next() {
+            match letter {
+                '"' if quoted && letters.next_if_eq(&'"').is_some() => reader.cell.push('"'),
+                '"' if quoted => quoted = false,
+                letter if quoted => reader.cell.push(letter),
+                '\n' if reader.rows.len() + 1 >= most => break,
+                '\n' => reader.end_row(),
+                // Several spaces are one delimiter.
+                ' ' if delimiter == ' ' && reader.cell.is_empty() && !reader.was_quoted => {}
+                letter if letter == delimiter => reader.end_cell(),
+                letter if reader.was_quoted && letter.is_whitespace() => {}
+                '"' if !reader.was_quoted && reader.cell.trim().is_empty() => {
+                    reader.cell.clear();
+                    (quoted, reader.was_quoted) = (true, true);
+                }
+                letter => {
+                    reader.is_broken |= reader.was_quoted;
+                    reader.cell.push(letter);
+                }
+            }
+        }
+        reader.end_row();
+        reader
+    }
+
     fn end_cell(&mut self) {
         let cell = std::mem::take(&mut self.cell);
         self.row.push(if self.was_quoted { cell } else { cell.trim().into() });
