@@ -62,6 +62,10 @@ pub(super) static LIST: &[Function] = &[
     attribute!("initialShape.name", "The name of the region.", |a| Value::Text(a.initial.name.clone())).text(),
     attribute!("initialShape.startRule", "The rule the region began with.", |a| Value::Text(a.initial.start.clone()))
         .text(),
+    attribute!("initialShape.symbol", "The rule the region began with, as old files say it.", |a| {
+        Value::Text(a.initial.start.clone())
+    })
+    .text(),
     attribute!("initialShape.kind", "The kind of the region.", |a| Value::Text(a.initial.kind.clone())).text().added(),
     attribute!("initialShape.zone", "The zone of the region.", |a| Value::Text(a.initial.zone.clone())).text().added(),
     attribute!("initialShape.origin.px", "The world x of the object's origin: metres east.", |a| Value::Float(
