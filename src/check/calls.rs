@@ -95,14 +95,20 @@ impl Checker {
                 signature => diagnostic.hint(format!("it is called as `{}{signature}`", function.name)),
             });
         }
-        let codes: Box<[Code]> = args
-            .iter()
-            .map(|arg| match &arg.value.kind {
-                ExprKind::Call(name, args) => self.name(name, args.as_deref(), arg.value.span, function.words).0,
-                _ => self.value(&arg.value).0,
-            })
-            .collect();
-        (Code::Builtin(function, codes, span), result(function))
+        let values = args.iter().enumerate().map(|(index, arg)| match &arg.value.kind {
+            ExprKind::Call(name, args) => {
+                let words = if index < function.words_within { function.words } else { &[] };
+                self.name(name, args.as_deref(), arg.value.span, words)
+            }
+            _ => self.value(&arg.value),
+        });
+        let (codes, kinds): (Vec<Code>, Vec<Kind>) = values.unzip();
+        let kind = result(function, kinds.first().copied().unwrap_or(Kind::Unknown));
+        let known: Option<Vec<Value>> = codes.iter().map(|code| code.known().cloned()).collect();
+        match known.and_then(|args| functions::folded(function, &args)) {
+            Some(value) => (Code::Value(value), kind),
+            None => (Code::Builtin(function, codes.into(), span), kind),
+        }
     }
 
     fn unknown(&mut self, name: &Arc<str>, call: bool, span: Span) -> (Code, Kind) {
@@ -325,7 +331,7 @@ fn is_word(value: &Expr, words: &[&str]) -> bool {
 /// Whether a bare word is one of the language's own names, to be read rather than to stand for itself: where a word is
 /// wanted (`report(inside, 1)`), only those that give a text.
 fn is_read(name: &str, kind: ParamKind) -> bool {
-    functions::find(name).is_some_and(|f| kind != ParamKind::Word || result(f) == Kind::Text)
+    functions::find(name).is_some_and(|f| kind != ParamKind::Word || f.gives == functions::Gives::Text)
 }
 
 /// `it is called as …`, from the declaration.
@@ -341,8 +347,8 @@ fn arity(least: usize, most: usize) -> String {
     }
 }
 
-/// What a built-in function gives, as expressions are checked.
-fn result(function: &functions::Function) -> Kind {
+/// What a built-in function gives, as expressions are checked, where its first argument is of some kind.
+fn result(function: &functions::Function, first: Kind) -> Kind {
     match function.gives {
         functions::Gives::Number => Kind::Number,
         functions::Gives::Truth => Kind::Truth,
@@ -350,6 +356,12 @@ fn result(function: &functions::Function) -> Kind {
         functions::Gives::Numbers => Kind::Numbers,
         functions::Gives::Truths => Kind::Truths,
         functions::Gives::Texts => Kind::Texts,
-        functions::Gives::Same => Kind::Unknown,
+        functions::Gives::Same => first,
+        functions::Gives::TruthOfEach => match first {
+            Kind::Numbers | Kind::Truths | Kind::Texts => Kind::Truths,
+            Kind::Number | Kind::Truth | Kind::Text => Kind::Truth,
+            Kind::Unknown => Kind::Unknown,
+        },
+        functions::Gives::Any => Kind::Unknown,
     }
 }

@@ -53,8 +53,12 @@ impl Disk {
 
     fn read(&self, path: &str) -> Result<Arc<[u8]>, WorldError> {
         let real = Path::new(path).canonicalize().map_err(|error| unreadable(path, &error))?;
-        let is_inside = self.is_open || self.folders.iter().any(|folder| real.starts_with(folder));
-        if is_inside { self.named(path) } else { Err(WorldError::Outside(path.into())) }
+        if self.shows(&real) { self.named(path) } else { Err(WorldError::Outside(path.into())) }
+    }
+
+    /// Whether a path without links lies below one of the folders.
+    fn shows(&self, real: &Path) -> bool {
+        self.is_open || self.folders.iter().any(|folder| real.starts_with(folder))
     }
 }
 
@@ -66,6 +70,43 @@ impl World for Disk {
     fn asset(&self, path: &str) -> Result<Arc<[u8]>, WorldError> {
         self.read(path)
     }
+
+    fn exists(&self, path: &str) -> bool {
+        Path::new(path).canonicalize().is_ok_and(|real| real.is_file() && self.shows(&real))
+    }
+
+    fn list(&self, folder: &str) -> Result<Vec<String>, WorldError> {
+        let place = if folder.is_empty() { "." } else { folder };
+        let real = Path::new(place).canonicalize().map_err(|error| unreadable(place, &error))?;
+        if !self.shows(&real) {
+            return Err(WorldError::Outside(place.into()));
+        }
+        let mut files = Vec::new();
+        collect(&real, folder, &mut files).map_err(|error| unreadable(place, &error))?;
+        files.sort_unstable();
+        Ok(files)
+    }
+}
+
+/// Files of one listing: a folder with more is probably not the place's.
+const MOST_LISTED: usize = 200_000;
+
+/// The files below a folder, hidden ones aside, under a prefix. Links to folders are not followed, so there is no circle.
+fn collect(folder: &Path, prefix: &str, files: &mut Vec<String>) -> std::io::Result<()> {
+    let mut entries = std::fs::read_dir(folder)?.collect::<Result<Vec<_>, _>>()?;
+    entries.sort_unstable_by_key(std::fs::DirEntry::file_name);
+    for entry in entries {
+        let name = entry.file_name();
+        let Some(name) = name.to_str().filter(|name| !name.starts_with('.')) else { continue };
+        if files.len() >= MOST_LISTED {
+            return Err(std::io::Error::other(format!("there are more than {MOST_LISTED} files below it")));
+        }
+        match entry.file_type()? {
+            kind if kind.is_dir() => collect(&entry.path(), &format!("{prefix}{name}/"), files)?,
+            _ => files.push(format!("{prefix}{name}")),
+        }
+    }
+    Ok(())
 }
 
 fn unreadable(path: &str, error: &std::io::Error) -> WorldError {

@@ -103,6 +103,7 @@ fn builtin(
     around: &mut Surroundings,
 ) -> Result<Value, Failure> {
     let values: Result<SmallVec<[Value; 4]>, Failure> = args.iter().map(|arg| evaluate(arg, names, around)).collect();
+    around.source = span.file;
     (function.call)(&values?, around)
         .map_err(|message| Failure { span, message: format!("`{}` {message}", function.name) })
 }
@@ -296,5 +297,10 @@ pub(super) fn reborrow<'s>(around: &'s mut Surroundings<'_>) -> Surroundings<'s>
         at: around.at,
         catalogue: around.catalogue,
         rasters: around.rasters,
+        files: around.files,
+        source: around.source,
+        georeference: around.georeference,
+        tree_key: around.tree_key,
+        told: around.told,
     }
 }

@@ -48,9 +48,18 @@ pub(super) fn seed(region: &Region, run: Seed) -> Seed {
     }
 }
 
+/// The object's frame: the first point of the outline, x along the first edge, y up, z out of the front.
+fn object(region: &Region) -> Frame {
+    let outline = region.polygon.outer();
+    let (first, along) = (outline[0], (outline[1] - outline[0]).normalize_or(DVec2::X));
+    let rotation = DQuat::from_rotation_y(libm::atan2(along.y, along.x));
+    Frame { origin: DVec3::new(first.x, region.elevation, -first.y), rotation }
+}
+
 /// What rules can ask of the region.
 pub(super) fn facts(region: &Region, start: Arc<str>) -> Initial {
-    Initial { name: region.name.clone(), start, kind: region.kind.word().into(), zone: region.zone.clone() }
+    let (kind, zone) = (region.kind.word().into(), region.zone.clone());
+    Initial { name: region.name.clone(), start, kind, zone, object: object(region) }
 }
 
 /// The features of the lot, under the word of their kind.

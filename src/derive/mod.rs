@@ -18,8 +18,9 @@ mod start;
 pub use start::{StartError, start_of};
 
 use crate::check::Program;
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Place, Severity};
 use crate::element::Catalogue;
+use crate::files::Files;
 use crate::geometry::BoxGrid;
 use crate::layout::Layout;
 use crate::raster::Rasters;
@@ -56,6 +57,7 @@ struct Run<'a> {
     layout: &'a Layout,
     options: &'a Options<'a>,
     rasters: &'a Rasters<'a>,
+    files: &'a Files<'a>,
     /// Where features reach; none where no rule looks around.
     reaches: Option<&'a BoxGrid>,
     /// Every kind and layer of the layout and every label of the rules; none where labels are made up on the way.
@@ -115,11 +117,12 @@ pub fn derive(
     let rules: Vec<Option<u32>> = starts.iter().map(|start| start.as_ref().ok().copied()).collect();
     let main = program.sources.first().map_or("", |source| source.path());
     let rasters = Rasters::new(options.world, main, layout.georeference.clone());
+    let files = Files::new(options.world, program.sources.iter().map(|source| source.path().to_string()));
     let reaches = program.looks_around.then(|| initial::reaches(layout));
     let labels: Option<BTreeSet<Arc<str>>> = program.labels.iter().cloned().collect();
     let names = labels.map(|labels| labels.into_iter().chain(initial::names(layout)).collect());
     let (reaches, names) = (reaches.as_ref(), names.as_ref());
-    let run = Run { program, layout, options, rasters: &rasters, reaches, names, progress };
+    let run = Run { program, layout, options, rasters: &rasters, files: &files, reaches, names, progress };
     let contexts = context::contexts(&run, &rules);
     let lots: Vec<Lot> = layout
         .regions
@@ -136,5 +139,10 @@ pub fn derive(
     let without_rule = layout.regions.iter().zip(&starts).filter(|(_, s)| s.is_err()).map(|(r, _)| r.id.clone());
     let derivation = Derivation { symbols: program.symbols.clone().into(), without_rule: without_rule.collect(), lots };
     diagnostics.extend(derivation.lots.iter().flat_map(|lot| lot.outcome.diagnostics.iter().cloned()));
+    let tables = files.remarks().into_iter();
+    diagnostics.extend(tables.map(|(path, remark)| {
+        let message = format!("the table `{path}` has {remark}");
+        Diagnostic::new(Severity::Lint, "table", Place::Data(path.into()), message)
+    }));
     (derivation, diagnostics)
 }

@@ -188,7 +188,7 @@ fn take_model(path: &str, record: &Record<'_>, world: &dyn World, variant: &mut 
     let size = world
         .asset(&path)
         .map_err(|error| error.to_string())
-        .and_then(|bytes| model::model_size(&path, &bytes).map_err(|error| format!("`{path}`: {error}")));
+        .and_then(|bytes| model::model_bounds(&path, &bytes).map(|b| b.size()).map_err(|error| format!("`{path}`: {error}")));
     match size {
         Ok(size) => {
             variant.size = size;

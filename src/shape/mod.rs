@@ -1,6 +1,7 @@
 //! Shapes: scope, geometry, attributes, and the tree a derivation makes of them.
 
 mod derivation;
+mod facing;
 mod footprint;
 mod geometry;
 mod measure;
@@ -9,6 +10,7 @@ mod scope;
 mod state;
 
 pub use derivation::{Derivation, LeafOf, Lot, Node, NodeId, Outcome, Print};
+pub use facing::Facing;
 pub use footprint::{Extent, Footprint, on_plan};
 pub use geometry::{Geometry, Grown, Placed, Plane};
 pub use measure::Measure;

@@ -178,6 +178,7 @@ impl Engine<'_> {
             Effect::Report(key, value) => self.outcome.reports.push((key, value)),
             Effect::Print(value) => {
                 let symbol = self.outcome.nodes[turn.node.0 as usize].symbol;
+                self.tell(symbol);
                 self.outcome.prints.push(Print { symbol, value });
             }
             Effect::Label(label) if self.program.looks_around => {

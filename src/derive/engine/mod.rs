@@ -15,13 +15,16 @@ use crate::derive::evaluate::{self, Names};
 use crate::derive::frame::Frame;
 use crate::derive::{Options, Progress, Run};
 use crate::diag::{Diagnostic, Span};
+use crate::files::Files;
 use crate::functions::Initial;
 use crate::geometry::Area;
+use crate::layout::Georeference;
 use crate::placement::Standing;
 use crate::raster::Rasters;
 use crate::seed::{Random, Seed};
 use crate::shape::{Node, NodeId, Occluders, Outcome, Scope, Shape};
 use crate::value::Value;
+use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::Instant;
@@ -34,17 +37,21 @@ type Args = Box<[Value]>;
 
 /// Derives the region number `index` by a rule, with the values that it has from its context.
 pub(super) fn lot(run: &Run, index: usize, rule: u32, context: &[(usize, Value)]) -> Outcome {
-    let Run { program, options, rasters, names, progress, .. } = *run;
+    let Run { program, layout, options, rasters, files, names, progress, .. } = *run;
     let lot = Beginning::of(run, index, rule, program.looks_around);
-    let (attributes, failures) = lot.attributes(run, context);
+    let told = RefCell::default();
+    let (attributes, failures) = lot.attributes(run, context, &told);
     let symbol = program.rules[rule as usize].symbol;
     let shape = Box::new(Shape { attributes, ..lot.shape });
     let mut engine = Engine {
         program,
         options,
         rasters,
+        files,
+        georeference: &layout.georeference,
         names,
         progress,
+        told,
         initial: lot.initial,
         intra: lot.intra,
         inter: lot.inter,
@@ -93,8 +100,12 @@ struct Engine<'a> {
     program: &'a Program,
     options: &'a Options<'a>,
     rasters: &'a Rasters<'a>,
+    files: &'a Files<'a>,
+    georeference: &'a Georeference,
     names: Option<&'a BTreeSet<Arc<str>>>,
     progress: &'a Progress,
+    /// What `print` was given within expressions and is not among the outcome's prints yet.
+    told: RefCell<Vec<Value>>,
     initial: Initial,
     intra: Occluders,
     inter: Occluders,
@@ -221,6 +232,7 @@ impl Engine<'_> {
         let turn = Turn { node, args: task.args, depth: task.depth };
         let (program, waiting) = (self.program, self.queue.len());
         let done = self.body(&program.rules[rule as usize].body, &turn, Current::new(task.shape, branch));
+        self.tell(task.symbol);
         if done.is_err() {
             self.queue.truncate(waiting);
         }
@@ -255,6 +267,11 @@ impl Engine<'_> {
             initial: &self.initial,
             catalogue: self.options.catalogue,
             rasters: self.rasters,
+            files: self.files,
+            georeference: self.georeference,
+            nodes: &self.outcome.nodes,
+            node: turn.node,
+            told: &self.told,
             branches: &self.branches,
             branch: current.branch,
             at: None,
