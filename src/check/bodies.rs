@@ -3,7 +3,7 @@
 use crate::check::Checker;
 use crate::check::program::{Application, Block, Body, Code, Cut, Selector, Step, Successor, Test};
 use crate::diag::{Diagnostic, Span};
-use crate::ops::{self, BlockKind, OPERATIONS, Operation, Origin, Selectors, Spec, UNBUILT_OPERATIONS};
+use crate::ops::{self, BlockKind, Gather, OPERATIONS, Operation, Origin, Selectors, Spec, UNBUILT_OPERATIONS};
 use crate::syntax::ast::{self, Arg, Call, Content, Entry, Expr, ExprKind, Op, Separator};
 use crate::text::nearest;
 use std::sync::Arc;
@@ -295,13 +295,15 @@ impl Checker {
             self.tell(Diagnostic::error("block", entry.span, message).hint(hint));
             return None;
         };
-        if head.separator == Separator::Connected {
-            self.not_yet(head.key.span, "the separator `=:`");
-        }
         let test = self.test(extra, &head.key);
         let body = self.body(body);
         bodies.push(body);
-        Some(Selector { test: test?, together: head.separator != Separator::Each })
+        let gather = match head.separator {
+            Separator::Each => Gather::Each,
+            Separator::All => Gather::All,
+            Separator::Connected => Gather::Connected,
+        };
+        Some(Selector { test: test?, gather })
     }
 
     fn test(&mut self, extra: &'static [&'static str], key: &Expr) -> Option<Test> {

@@ -3,7 +3,7 @@
 use crate::check::reach;
 use crate::diag::Span;
 use crate::functions::Function as Builtin;
-use crate::ops::{Component, Given, Operation, Pieces, Problem, Ready};
+use crate::ops::{Component, Gather, Given, Operation, Pieces, Problem, Ready};
 use crate::shape::Shape;
 use crate::syntax::Source;
 use crate::syntax::ast::{BinaryOp, SizeMark};
@@ -228,8 +228,8 @@ pub enum Cut {
 pub struct Selector {
     /// What it asks for.
     pub test: Test,
-    /// `=`: all in one shape.
-    pub together: bool,
+    /// Which of its components become one shape.
+    pub gather: Gather,
 }
 
 /// What a selector asks for.

@@ -33,6 +33,6 @@ pub use offset::{buffered, inset, into_offset, offset};
 pub use path::{Path, stroke};
 pub use polygon::{Area, LEAST_AREA, Polygon, ring_area};
 pub use repair::repair;
-pub use setback::{Setback, Strip, setback};
+pub use setback::{Setback, Strip, set_in, setback};
 pub use spread::relax;
 pub use triangulate::triangulate;

@@ -23,6 +23,7 @@ mod equidistant;
 mod extrude;
 mod faces;
 mod fit;
+mod gather;
 mod ground;
 mod insert;
 mod instance;
@@ -35,19 +36,23 @@ mod print;
 mod r;
 mod regular;
 mod report;
+mod rim;
 mod rows;
 mod s;
 mod scatter;
 mod semirandom;
 mod set;
 mod setback;
+mod setback_per_edge;
+mod setback_to_area;
 mod single;
 mod split;
 mod strategy;
 mod t;
 mod without;
 
-pub use faces::{Component, Selectors};
+pub use faces::{Component, RoofEdge, Selectors};
+pub use gather::Gather;
 pub use ground::Ground;
 pub use spec::{AttributeName, BlockKind, Origin, Param, ParamKind, Parameter, Spec, Word};
 pub use split::Cut;
@@ -69,6 +74,8 @@ pub static OPERATIONS: &[Operation] = &[
     split::Split::OPERATION,
     comp::Comp::OPERATION,
     setback::Setback::OPERATION,
+    setback_per_edge::SetbackPerEdge::OPERATION,
+    setback_to_area::SetbackToArea::OPERATION,
     offset::Offset::OPERATION,
     without::Without::OPERATION,
     coverage::Coverage::OPERATION,
@@ -190,8 +197,8 @@ pub struct Given<'a> {
 pub struct Choice {
     /// The entry.
     pub entry: u16,
-    /// `=`: all components of the entry in one shape.
-    pub together: bool,
+    /// What becomes of the entry's components.
+    pub gather: Gather,
 }
 
 /// What an operation makes of a shape.
@@ -204,9 +211,11 @@ pub enum Pieces {
     Told(Effect),
     /// Successors, each for an entry of the block, that use the shape up.
     Parts(Vec<Part>),
+    /// The same, and something is to be known about them.
+    Noted(Vec<Part>, Vec<Remark>),
     /// The same, beside the shape: points set on a lawn leave the lawn.
     Beside(Vec<Part>),
-    /// The same, and something is to be known about them.
+    /// The same with places that plants keep for themselves, and something is to be known about them.
     Placed(Vec<Part>, Vec<Remark>),
 }
 

@@ -16,8 +16,6 @@ const fn unbuilt(name: &'static str, does: &'static str) -> Unbuilt {
 /// Operations.
 pub static UNBUILT_OPERATIONS: &[Unbuilt] = &[
     unbuilt("splitArea", "splits by area"),
-    unbuilt("setbackPerEdge", "sets each edge back by a distance of its own"),
-    unbuilt("setbackToArea", "sets back until an area is left"),
     unbuilt("splitAndSetbackPerimeter", "lays bands of given length and depth around the perimeter"),
     unbuilt("innerRectangle", "finds the largest rectangle inside"),
     unbuilt("innerRect", "finds the largest rectangle inside"),

@@ -7,11 +7,11 @@ use crate::derive::frame::climb;
 use crate::derive::position::{self, Varied};
 use crate::derive::select;
 use crate::diag::Span;
-use crate::ops::{Effect, Given, ParamKind, Part, Pieces};
+use crate::ops::{Component, Effect, Given, ParamKind, Part, Pieces};
 use crate::placement::{Disk, Field};
 use crate::seed::Seed;
 use crate::shape::{Geometry, LeafOf, NodeId, Occluder, Print, Shape, on_plan};
-use crate::value::Value;
+use crate::value::{Array, Cells, Value};
 use glam::DVec3;
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -43,6 +43,7 @@ impl Engine<'_> {
             Block::Selectors(selectors) => {
                 let components = application.components(&mut values.clone(), &current.shape);
                 let components = components.map_err(|p| self.problem(application, p, turn))?;
+                self.on_edges(application, turn, current, &components, &mut values)?;
                 let mut frame = self.frame(turn, current);
                 select::choose(selectors, &components, &mut frame).map_err(|f| self.failed(f, turn))?
             }
@@ -93,6 +94,11 @@ impl Engine<'_> {
                 current.used = true;
                 self.parts(application, parts, (seed, current.branch), turn)?;
             }
+            Pieces::Noted(parts, remarks) => {
+                remarks.into_iter().for_each(|remark| self.remark(application, remark, turn));
+                current.used = true;
+                self.parts(application, parts, (seed, current.branch), turn)?;
+            }
             Pieces::Beside(parts) => self.parts(application, parts, (seed, current.branch), turn)?,
             Pieces::Placed(mut parts, remarks) => {
                 remarks.into_iter().for_each(|remark| self.remark(application, remark, turn));
@@ -117,11 +123,34 @@ impl Engine<'_> {
         let params = application.operation.spec.params.iter().zip(&application.arg_spans);
         for (arg, (param, span)) in application.args.iter().zip(params) {
             let value = arg.as_ref().map(|code| match (code.known(), param.kind) {
+                (_, ParamKind::OnEdges) => Ok(numbers(Vec::new())),
                 (Some(value), _) => Ok(value.clone()),
                 (None, ParamKind::Varying(_)) => self.varied(code, param.name, *span, turn, current, fields),
                 (None, _) => self.frame(turn, current).with(|n, a| evaluate::evaluate(code, n, a)),
             });
             values.push(value.transpose().map_err(|f| self.failed(f, turn))?);
+        }
+        Ok(())
+    }
+
+    /// The arguments that are asked on every component, as arrays.
+    fn on_edges(
+        &mut self,
+        application: &Application,
+        turn: &Turn,
+        current: &mut Current,
+        components: &[Component],
+        values: &mut Values,
+    ) -> Result<(), Stop> {
+        let params = application.operation.spec.params.iter().enumerate();
+        for (index, _) in params.filter(|(_, param)| param.kind == ParamKind::OnEdges) {
+            let Some(code) = &application.args[index] else { continue };
+            let span = application.arg_spans[index];
+            let mut frame = self.frame(turn, current);
+            let edges = components.iter().filter(|component| !component.is_rest());
+            let asked = edges.map(|edge| frame.on(&edge.shape, |n, a| evaluate::number(code, n, a, span)));
+            let found = asked.collect::<Result<Vec<f64>, Failure>>();
+            values[index] = Some(numbers(found.map_err(|f| self.failed(f, turn))?));
         }
         Ok(())
     }
@@ -206,6 +235,11 @@ impl Engine<'_> {
         }
         self.outcome.leaves.push(LeafOf { node, shape });
     }
+}
+
+/// Numbers as a value.
+fn numbers(numbers: Vec<f64>) -> Value {
+    Value::Array(Arc::new(Array::row(Cells::Numbers(numbers))))
 }
 
 /// Whether its y points up: what is set on walls takes no place on the plan.

@@ -2,7 +2,7 @@
 
 use crate::layout::Kind;
 use crate::layout::geojson::document::word;
-use crate::value::Value;
+use crate::value::{Array, Cells, Value};
 use serde_json::{Map, Value as Json};
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
@@ -93,7 +93,14 @@ impl Properties {
                 Json::Bool(truth) => Value::Bool(*truth),
                 Json::Number(number) => Value::Float(number.as_f64().unwrap_or_default()),
                 Json::String(text) => Value::Text(words.get(text)),
-                Json::Array(_) | Json::Object(_) => {
+                Json::Array(list) => match array(list, words) {
+                    Some(array) => Value::Array(Arc::new(array)),
+                    None => {
+                        self.nested.push(words.get(name));
+                        continue;
+                    }
+                },
+                Json::Object(_) => {
                     self.nested.push(words.get(name));
                     continue;
                 }
@@ -101,6 +108,16 @@ impl Properties {
             self.attributes.insert(words.get(name), value);
         }
     }
+}
+
+/// A list of numbers, truth values or texts as one row; `None` where it holds anything else, several types or nothing.
+fn array(list: &[Json], words: &mut Words) -> Option<Array> {
+    let cells = match list.first()? {
+        Json::Number(_) => Cells::Numbers(list.iter().map(Json::as_f64).collect::<Option<_>>()?),
+        Json::Bool(_) => Cells::Truths(list.iter().map(Json::as_bool).collect::<Option<_>>()?),
+        _ => Cells::Texts(list.iter().map(|text| text.as_str().map(|t| words.get(t))).collect::<Option<_>>()?),
+    };
+    Some(Array::row(cells))
 }
 
 /// What the feature says it is.
