@@ -209,6 +209,7 @@ impl Checker {
                 let cuts = self.cuts(&block.entries, &mut bodies);
                 Block::Cuts(if block.repeat { Box::new([Cut::Repeat(cuts)]) } else { cuts })
             }
+            (BlockKind::Perimeter, Some(_)) => self.perimeter(operation.spec, &call.blocks, &mut bodies),
             (BlockKind::Selectors(extra), Some(block)) => {
                 self.no_repeat(operation.spec, block);
                 let entries = block.entries.iter();
@@ -250,7 +251,7 @@ impl Checker {
         }
     }
 
-    fn cuts(&mut self, entries: &[Entry], bodies: &mut Vec<Body>) -> Box<[Cut]> {
+    pub(super) fn cuts(&mut self, entries: &[Entry], bodies: &mut Vec<Body>) -> Box<[Cut]> {
         entries.iter().filter_map(|entry| self.cut(entry, bodies)).collect()
     }
 
@@ -282,7 +283,7 @@ impl Checker {
         }
     }
 
-    fn selector(
+    pub(super) fn selector(
         &mut self,
         spec: &Spec,
         extra: &'static [&'static str],

@@ -7,6 +7,7 @@ mod calls;
 mod expressions;
 mod modules;
 mod names;
+mod perimeter;
 mod program;
 mod reach;
 

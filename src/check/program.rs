@@ -208,6 +208,15 @@ pub enum Block {
     None,
     /// Sizes.
     Cuts(Box<[Cut]>),
+    /// Bands of a perimeter.
+    Perimeter {
+        /// Their lengths.
+        cuts: Box<[Cut]>,
+        /// Their depths, by entry, each with its place.
+        depths: Box<[(Code, Span)]>,
+        /// Who takes what they leave.
+        rest: Box<[Selector]>,
+    },
     /// Selectors.
     Selectors(Box<[Selector]>),
     /// One body for all children.

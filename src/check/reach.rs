@@ -1,6 +1,6 @@
 //! What a rule reaches: the attributes that it and all that can come of it read.
 
-use crate::check::program::{Application, Block, Body, Code, Cut, Program, Step, Test};
+use crate::check::program::{Application, Block, Body, Code, Cut, Program, Selector, Step, Test};
 use crate::ops::ParamKind;
 use std::collections::BTreeSet;
 
@@ -61,13 +61,22 @@ impl Reach<'_> {
         read.for_each(|code| self.code(code));
         match &application.block {
             Block::Cuts(cuts) => self.cuts(cuts),
-            Block::Selectors(selectors) => selectors.iter().for_each(|selector| match &selector.test {
-                Test::Index(code) | Test::Condition(code) => self.code(code),
-                Test::Word(_) | Test::Remainder => {}
-            }),
+            Block::Perimeter { cuts, depths, rest } => {
+                self.cuts(cuts);
+                depths.iter().for_each(|(code, _)| self.code(code));
+                self.selectors(rest);
+            }
+            Block::Selectors(selectors) => self.selectors(selectors),
             Block::None | Block::Body => {}
         }
         application.bodies.iter().for_each(|body| self.body(body));
+    }
+
+    fn selectors(&mut self, selectors: &[Selector]) {
+        selectors.iter().for_each(|selector| match &selector.test {
+            Test::Index(code) | Test::Condition(code) => self.code(code),
+            Test::Word(_) | Test::Remainder => {}
+        });
     }
 
     fn cuts(&mut self, cuts: &[Cut]) {

@@ -25,6 +25,7 @@ mod faces;
 mod fit;
 mod gather;
 mod ground;
+mod inner_rectangle;
 mod insert;
 mod instance;
 mod label;
@@ -45,8 +46,11 @@ mod set;
 mod setback;
 mod setback_per_edge;
 mod setback_to_area;
+mod shape_luo;
 mod single;
 mod split;
+mod split_and_setback_perimeter;
+mod split_area;
 mod strategy;
 mod t;
 mod without;
@@ -72,10 +76,17 @@ use std::sync::Arc;
 /// Every operation, in the order of the manual.
 pub static OPERATIONS: &[Operation] = &[
     split::Split::OPERATION,
+    split_area::SplitArea::OPERATION,
     comp::Comp::OPERATION,
     setback::Setback::OPERATION,
     setback_per_edge::SetbackPerEdge::OPERATION,
     setback_to_area::SetbackToArea::OPERATION,
+    split_and_setback_perimeter::SplitAndSetbackPerimeter::OPERATION,
+    inner_rectangle::InnerRectangle::OPERATION,
+    inner_rectangle::InnerRect::OPERATION,
+    shape_luo::ShapeL::OPERATION,
+    shape_luo::ShapeU::OPERATION,
+    shape_luo::ShapeO::OPERATION,
     offset::Offset::OPERATION,
     without::Without::OPERATION,
     coverage::Coverage::OPERATION,
@@ -121,6 +132,7 @@ pub struct Operation {
     /// Its first argument becomes a label.
     pub labels: bool,
     components: Components,
+    sections: Sections,
     apply: Application,
     ready: fn(&mut [Option<Value>]) -> Option<Box<dyn Ready>>,
 }
@@ -149,6 +161,9 @@ impl<T: Apply + Clone + Send + Sync> Ready for Decoded<T> {
 /// Arguments, one per parameter, and a shape → what selectors choose among.
 type Components = fn(&mut [Option<Value>], &Shape) -> Result<Vec<Component>, Problem>;
 
+/// Arguments, one per parameter, a shape and the sizes of a block → the entry of each section.
+type Sections = fn(&mut [Option<Value>], &Shape, &[Cut], usize) -> Result<Vec<u16>, Problem>;
+
 /// Arguments, one per parameter, and a shape → pieces; the shape is changed in place.
 type Application = fn(&mut [Option<Value>], &mut Shape, &Given) -> Result<Pieces, Problem>;
 
@@ -156,6 +171,8 @@ type Application = fn(&mut [Option<Value>], &mut Shape, &Given) -> Result<Pieces
 pub struct Given<'a> {
     /// The sizes of a split block, evaluated on the shape.
     pub cuts: &'a [Cut],
+    /// The depth of each section of a perimeter, as [`Apply::sections`] counts them.
+    pub depths: &'a [f64],
     /// For each component the entry of the block that selected it, and whether its pieces are put together.
     pub chosen: &'a [Option<Choice>],
     /// Where the operation's random numbers come from.
@@ -281,6 +298,11 @@ pub trait Apply {
         Ok(Vec::new())
     }
 
+    /// The entry of every section that a perimeter is split into, so that their depths can be evaluated.
+    fn sections(&self, _shape: &Shape, _cuts: &[Cut], _most: usize) -> Result<Vec<u16>, Problem> {
+        Ok(Vec::new())
+    }
+
     /// Changes the shape or gives its pieces; pieces leave the shape as it was.
     fn apply(self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem>;
 }
@@ -313,6 +335,7 @@ impl Operation {
             looks_around: T::LOOKS_AROUND,
             labels: T::LABELS,
             components: |values, shape| T::decode(values)?.components(shape),
+            sections: |values, shape, cuts, most| T::decode(values)?.sections(shape, cuts, most),
             apply: |values, shape, given| T::decode(values)?.apply(shape, given),
             ready: |values| T::decode(values).ok().map(|decoded| Box::new(Decoded(decoded)) as Box<dyn Ready>),
         }
@@ -326,6 +349,17 @@ impl Operation {
     /// The components for the selectors; the values are used up.
     pub fn components(&self, values: &mut [Option<Value>], shape: &Shape) -> Result<Vec<Component>, Problem> {
         (self.components)(values, shape)
+    }
+
+    /// The entry of each section of a perimeter, `most` at most; the values are used up.
+    pub fn sections(
+        &self,
+        values: &mut [Option<Value>],
+        shape: &Shape,
+        cuts: &[Cut],
+        most: usize,
+    ) -> Result<Vec<u16>, Problem> {
+        (self.sections)(values, shape, cuts, most)
     }
 
     /// Changes the shape or gives its pieces; the values are used up.

@@ -66,6 +66,8 @@ pub enum ParamKind {
     Any,
     /// Metres, or an array with a number of metres for each edge.
     PerEdge,
+    /// An array of truth values.
+    Truths,
     /// Metres, evaluated with each edge as the current shape.
     OnEdges,
     /// What the kind inside takes, also an expression of the position: it may vary over the shape.
@@ -79,6 +81,8 @@ pub enum BlockKind {
     None,
     /// `{ size : A | … }*`
     Cuts,
+    /// `{ length : depth : A | … }*{ remainder : B }`
+    Perimeter,
     /// `{ selector : A | … }`, and which words it adds to the usual ones.
     Selectors(&'static [&'static str]),
     /// `{ A }`: one successor for every child.
@@ -115,6 +119,7 @@ impl ParamKind {
             ParamKind::Attribute => "the name of an attribute".into(),
             ParamKind::Any => "any value".into(),
             ParamKind::PerEdge => "metres, or an array with metres for each edge".into(),
+            ParamKind::Truths => "an array of truth values".into(),
             ParamKind::OnEdges => "a number of metres, asked on each edge".into(),
             ParamKind::Varying(inner) => format!("{}; it may vary over the shape", inner.words()),
         }
@@ -132,6 +137,7 @@ impl ParamKind {
             (ParamKind::Varying(inner), value) => inner.accepts(value),
             (ParamKind::Number | ParamKind::Metres | ParamKind::Degrees, Value::Float(_)) => true,
             (ParamKind::PerEdge | ParamKind::OnEdges, Value::Float(_)) => true,
+            (ParamKind::Truths, Value::Array(array)) => matches!(array.cells(), Cells::Truths(_)),
             (ParamKind::PerEdge, Value::Array(array)) => matches!(array.cells(), Cells::Numbers(_)),
             (ParamKind::Share | ParamKind::PerArea, Value::Float(number)) => *number >= 0.0,
             (ParamKind::Count, Value::Float(number)) => *number >= 0.0,
@@ -259,6 +265,25 @@ impl Parameter for PerEdge {
     }
 }
 
+/// An array of truth values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Truths(Arc<Array>);
+
+impl Truths {
+    /// The value of that number; `false` beyond the last.
+    pub fn at(&self, index: usize) -> bool {
+        self.0.at(index).as_bool().unwrap_or(false)
+    }
+}
+
+impl Parameter for Truths {
+    const KIND: ParamKind = ParamKind::Truths;
+    fn from_value(value: &Value) -> Option<Self> {
+        let array = value.as_array().filter(|array| matches!(array.cells(), Cells::Truths(_)))?;
+        Some(Truths(array.clone()))
+    }
+}
+
 /// Metres by edge that the engine has asked on each; none while it asks for the edges.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OnEdges(Arc<Array>);
@@ -339,6 +364,7 @@ impl Spec {
         let block = match self.block {
             BlockKind::None => "",
             BlockKind::Cuts => " { size : A | size : B }",
+            BlockKind::Perimeter => " { length : depth : A } { remainder : B }",
             BlockKind::Selectors(extra) if extra.contains(&"remainder") => " { selector : A | remainder : B }",
             BlockKind::Selectors(_) => " { selector : A }",
             BlockKind::Body => " { A }",

@@ -15,13 +15,6 @@ const fn unbuilt(name: &'static str, does: &'static str) -> Unbuilt {
 
 /// Operations.
 pub static UNBUILT_OPERATIONS: &[Unbuilt] = &[
-    unbuilt("splitArea", "splits by area"),
-    unbuilt("splitAndSetbackPerimeter", "lays bands of given length and depth around the perimeter"),
-    unbuilt("innerRectangle", "finds the largest rectangle inside"),
-    unbuilt("innerRect", "finds the largest rectangle inside"),
-    unbuilt("shapeL", "cuts out an L"),
-    unbuilt("shapeU", "cuts out a U"),
-    unbuilt("shapeO", "cuts out a ring"),
     unbuilt("convexify", "splits concave polygons into convex ones"),
     unbuilt("insertAlongUV", "bends an asset along texture coordinates"),
     unbuilt("taper", "makes a pyramid"),

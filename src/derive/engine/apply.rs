@@ -7,7 +7,7 @@ use crate::derive::frame::climb;
 use crate::derive::position::{self, Varied};
 use crate::derive::select;
 use crate::diag::Span;
-use crate::ops::{Component, Effect, Given, ParamKind, Part, Pieces};
+use crate::ops::{Component, Cut, Effect, Given, ParamKind, Part, Pieces};
 use crate::placement::{Disk, Field};
 use crate::seed::Seed;
 use crate::shape::{Geometry, LeafOf, NodeId, Occluder, Print, Shape, on_plan};
@@ -30,7 +30,7 @@ impl Engine<'_> {
         current: &mut Current,
     ) -> Result<(), Stop> {
         let cuts = match &application.block {
-            Block::Cuts(cuts) => {
+            Block::Cuts(cuts) | Block::Perimeter { cuts, .. } => {
                 select::cuts(cuts, &mut self.frame(turn, current)).map_err(|f| self.failed(f, turn))?
             }
             _ => Vec::new(),
@@ -40,7 +40,7 @@ impl Engine<'_> {
             self.arguments(application, turn, current, &mut values, &mut fields)?;
         }
         let chosen = match &application.block {
-            Block::Selectors(selectors) => {
+            Block::Selectors(selectors) | Block::Perimeter { rest: selectors, .. } => {
                 let components = application.components(&mut values.clone(), &current.shape);
                 let components = components.map_err(|p| self.problem(application, p, turn))?;
                 self.on_edges(application, turn, current, &components, &mut values)?;
@@ -49,11 +49,16 @@ impl Engine<'_> {
             }
             _ => Vec::new(),
         };
+        let depths = match &application.block {
+            Block::Perimeter { depths, .. } => self.depths(application, depths, &cuts, &values, turn, current)?,
+            _ => Vec::new(),
+        };
         let seed = current.shape.seed.child(current.count);
         current.count += 1;
         let (branches, branch) = (&self.branches, current.branch);
         let given = Given {
             cuts: &cuts,
+            depths: &depths,
             chosen: &chosen,
             seed,
             lot: self.seed,
@@ -131,6 +136,30 @@ impl Engine<'_> {
             values.push(value.transpose().map_err(|f| self.failed(f, turn))?);
         }
         Ok(())
+    }
+
+    /// The depth of each section of a perimeter, evaluated with its own `split.index`.
+    fn depths(
+        &mut self,
+        application: &Application,
+        depths: &[(Code, Span)],
+        cuts: &[Cut],
+        values: &Values,
+        turn: &Turn,
+        current: &mut Current,
+    ) -> Result<Vec<f64>, Stop> {
+        let most = self.options.limits.children;
+        let sections = application.operation.sections(&mut values.clone(), &current.shape, cuts, most);
+        let sections = sections.map_err(|p| self.problem(application, p, turn))?;
+        let mut section = (*current.shape).clone();
+        let mut frame = self.frame(turn, current);
+        let mut depth = |(index, entry): (usize, &u16)| {
+            section.ordinals.split = (index as u32, sections.len() as u32);
+            let Some((code, span)) = depths.get(usize::from(*entry)) else { return Ok(0.0) };
+            frame.on(&section, |n, a| evaluate::number(code, n, a, *span))
+        };
+        let found = sections.iter().enumerate().map(&mut depth).collect::<Result<Vec<f64>, Failure>>();
+        found.map_err(|f| self.failed(f, turn))
     }
 
     /// The arguments that are asked on every component, as arrays.
