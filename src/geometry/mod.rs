@@ -6,6 +6,7 @@
 mod boolean;
 mod bounds;
 mod clip;
+mod convexify;
 mod cut;
 mod grid;
 mod hull;
@@ -21,10 +22,12 @@ mod repair;
 mod setback;
 mod slab;
 mod spread;
+mod tidy;
 mod triangulate;
 
 pub use boolean::{difference, intersection, overlap_area, overlaps, union, union_all};
 pub use bounds::Bounds;
+pub use convexify::convexify;
 pub use cut::{band, bands};
 pub use grid::{BoxGrid, PointGrid};
 pub use hull::{OrientedBox, convex_hull};
@@ -39,4 +42,5 @@ pub use repair::repair;
 pub use setback::{Setback, Strip, set_in, setback};
 pub use slab::Sweep;
 pub use spread::relax;
+pub use tidy::{rectified, thinned};
 pub use triangulate::triangulate;

@@ -13,28 +13,34 @@ mod align_scope_to_axes;
 mod along;
 mod boundary;
 mod center;
+mod cleanup_geometry;
 mod cluster;
 mod color;
 mod comp;
+mod convexify;
 mod coverage;
+mod delete_holes;
 mod distr;
 mod envelope;
 mod equidistant;
 mod extrude;
 mod faces;
 mod fit;
+mod footprint;
 mod gather;
 mod ground;
 mod inner_rectangle;
 mod insert;
 mod instance;
 mod label;
+mod mirror;
 mod offset;
 mod plant;
 mod points;
 mod primitives;
 mod print;
 mod r;
+mod rectify;
 mod regular;
 mod report;
 mod rim;
@@ -88,6 +94,13 @@ pub static OPERATIONS: &[Operation] = &[
     shape_luo::ShapeU::OPERATION,
     shape_luo::ShapeO::OPERATION,
     offset::Offset::OPERATION,
+    convexify::Convexify::OPERATION,
+    delete_holes::DeleteHoles::OPERATION,
+    cleanup_geometry::CleanupGeometry::OPERATION,
+    rectify::Rectify::OPERATION,
+    footprint::Footprint::OPERATION,
+    mirror::Mirror::OPERATION,
+    mirror::ReverseNormals::OPERATION,
     without::Without::OPERATION,
     coverage::Coverage::OPERATION,
     scatter::Scatter::OPERATION,

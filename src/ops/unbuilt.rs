@@ -15,7 +15,6 @@ const fn unbuilt(name: &'static str, does: &'static str) -> Unbuilt {
 
 /// Operations.
 pub static UNBUILT_OPERATIONS: &[Unbuilt] = &[
-    unbuilt("convexify", "splits concave polygons into convex ones"),
     unbuilt("insertAlongUV", "bends an asset along texture coordinates"),
     unbuilt("taper", "makes a pyramid"),
     unbuilt("envelope", "makes a zoning envelope"),
@@ -24,7 +23,6 @@ pub static UNBUILT_OPERATIONS: &[Unbuilt] = &[
     unbuilt("roofPyramid", "puts a pyramid roof on"),
     unbuilt("roofRidge", "puts a roof with one ridge on"),
     unbuilt("roofShed", "puts a shed roof on"),
-    unbuilt("footprint", "projects onto the ground"),
     unbuilt("translate", "moves within a chosen coordinate system"),
     unbuilt("rotate", "turns within a chosen coordinate system"),
     unbuilt("alignScopeToGeometry", "turns the scope along a face and an edge"),
@@ -32,11 +30,6 @@ pub static UNBUILT_OPERATIONS: &[Unbuilt] = &[
     unbuilt("rotateScope", "turns the scope without the geometry"),
     unbuilt("mirrorScope", "mirrors the scope without the geometry"),
     unbuilt("setPivot", "moves the pivot"),
-    unbuilt("cleanupGeometry", "merges vertices, edges and faces"),
-    unbuilt("deleteHoles", "fills holes"),
-    unbuilt("reverseNormals", "turns faces round"),
-    unbuilt("rectify", "straightens near-right angles"),
-    unbuilt("mirror", "mirrors the geometry"),
     unbuilt("trim", "cuts along trim planes"),
     unbuilt("resetGeometry", "undoes changes of the geometry"),
     unbuilt("reduceGeometry", "simplifies meshes"),

@@ -7,9 +7,15 @@ impl Mesh {
     /// The faces in sets that hang together by common edges, each set and all sets in the order of the faces.
     /// Vertices within `tolerance` metres are the same. n log n for meshes that are not folded onto themselves.
     pub fn connected_faces(&self, tolerance: f64) -> Vec<Vec<usize>> {
+        Mesh { corners: self.welded_corners(tolerance), ..self.clone() }.sets_of_faces(|_, _| true)
+    }
+
+    /// The faces in sets that hang together by the edges between two faces that shall be joined.
+    pub(super) fn sets_of_faces(&self, joins: impl Fn(u32, u32) -> bool) -> Vec<Vec<usize>> {
         let mut sets = Sets::new(self.face_count());
-        let welded = Mesh { corners: self.welded_corners(tolerance), ..self.clone() };
-        welded.edges().iter().filter_map(|edge| Some((edge.left, edge.right?))).for_each(|(a, b)| sets.unite(a, b));
+        let edges = self.edges();
+        let pairs = edges.iter().filter_map(|edge| Some((edge.left, edge.right?)));
+        pairs.filter(|(a, b)| joins(*a, *b)).for_each(|(a, b)| sets.unite(a, b));
         sets.groups()
     }
 

@@ -8,6 +8,7 @@ mod edges;
 mod section;
 mod solid;
 mod surface;
+mod tidy;
 
 pub use edges::Edge;
 
