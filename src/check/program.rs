@@ -315,6 +315,20 @@ impl Application {
         }
     }
 
+    /// The entry of each section of a perimeter, `most` at most; `values` are used up where the arguments were not known.
+    pub fn sections(
+        &self,
+        values: &mut [Option<Value>],
+        shape: &Shape,
+        cuts: &[crate::ops::Cut],
+        most: usize,
+    ) -> Result<Vec<u16>, Problem> {
+        match &self.ready {
+            Some(ready) => ready.sections(shape, cuts, most),
+            None => self.operation.sections(values, shape, cuts, most),
+        }
+    }
+
     /// Changes the shape or gives its pieces; `values` are used up where the arguments were not known.
     pub fn apply(&self, values: &mut [Option<Value>], shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
         match &self.ready {

@@ -98,7 +98,7 @@ impl Apply for Comp {
         for (component, chosen) in components.into_iter().zip(given.chosen) {
             match chosen {
                 Some(choice) if choice.gather == Gather::Each => {
-                    parts.push(Part { entry: choice.entry, shape: component.shape });
+                    parts.push(Part::new(choice.entry, component.shape));
                 }
                 Some(choice) => {
                     waiting.entry(choice.entry).or_insert((choice.gather, Vec::new())).1.push(component.shape);
@@ -108,7 +108,7 @@ impl Apply for Comp {
         }
         for (entry, (gather, shapes)) in waiting {
             let joined = join::joined(shape, &shapes, gather)?;
-            parts.extend(joined.into_iter().map(|shape| Part { entry, shape }));
+            parts.extend(joined.into_iter().map(|shape| Part::new(entry, shape)));
         }
         Ok(Pieces::Parts(parts))
     }

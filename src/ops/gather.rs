@@ -41,7 +41,7 @@ impl<'s> Gathered<'s> {
             Some(along) => fit::aligned(self.parent, self.plane, &area, along),
             None => self.fitted(area),
         };
-        self.parts.extend(shape.map(|shape| Part { entry: choice.entry, shape }));
+        self.parts.extend(shape.map(|shape| Part::new(choice.entry, shape)));
     }
 
     /// What is left over, in the parent's frame: it comes last. Its polygons are each a shape unless `=` joins them.
@@ -50,7 +50,7 @@ impl<'s> Gathered<'s> {
             Gather::All => self.fitted(area).into_iter().collect(),
             _ => area.polygons().iter().filter_map(|part| self.fitted(part.clone().into())).collect(),
         };
-        self.rest.extend(shapes.into_iter().map(|shape| Part { entry: choice.entry, shape }));
+        self.rest.extend(shapes.into_iter().map(|shape| Part::new(choice.entry, shape)));
     }
 
     /// All parts, those of their own first; `comp.index` and `comp.total` count them.
@@ -62,7 +62,7 @@ impl<'s> Gathered<'s> {
                 _ => vec![whole],
             };
             let shapes: Vec<Part> =
-                sets.into_iter().filter_map(|set| Some(Part { entry, shape: self.fitted(set)? })).collect();
+                sets.into_iter().filter_map(|set| Some(Part::new(entry, self.fitted(set)?))).collect();
             self.parts.extend(shapes);
         }
         self.parts.append(&mut self.rest);

@@ -155,6 +155,9 @@ pub trait Ready: Send + Sync {
     /// The components for the selectors.
     fn components(&self, shape: &Shape) -> Result<Vec<Component>, Problem>;
 
+    /// The entry of each section of a perimeter, `most` at most.
+    fn sections(&self, shape: &Shape, cuts: &[Cut], most: usize) -> Result<Vec<u16>, Problem>;
+
     /// Changes the shape or gives its pieces.
     fn apply(&self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem>;
 }
@@ -164,6 +167,10 @@ struct Decoded<T>(T);
 impl<T: Apply + Clone + Send + Sync> Ready for Decoded<T> {
     fn components(&self, shape: &Shape) -> Result<Vec<Component>, Problem> {
         self.0.components(shape)
+    }
+
+    fn sections(&self, shape: &Shape, cuts: &[Cut], most: usize) -> Result<Vec<u16>, Problem> {
+        self.0.sections(shape, cuts, most)
     }
 
     fn apply(&self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {

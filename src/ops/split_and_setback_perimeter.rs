@@ -64,7 +64,7 @@ impl Apply for SplitAndSetbackPerimeter {
             let banded = line.banded(polygon, &sections, depths, start)?;
             for (index, (section, band)) in (first as u32..).zip(sections.iter().zip(&banded.bands)) {
                 let child = fit::aligned(shape, plane, &band.area, band.along);
-                parts.extend(child.map(|shape| (index, Part { entry: section.entry, shape })));
+                parts.extend(child.map(|shape| (index, Part::new(section.entry, shape))));
             }
             if let Some(choice) = given.chosen[0] {
                 rest.rest(choice, banded.remainder);

@@ -149,7 +149,7 @@ impl Engine<'_> {
         current: &mut Current,
     ) -> Result<Vec<f64>, Stop> {
         let most = self.options.limits.children;
-        let sections = application.operation.sections(&mut values.clone(), &current.shape, cuts, most);
+        let sections = application.sections(&mut values.clone(), &current.shape, cuts, most);
         let sections = sections.map_err(|p| self.problem(application, p, turn))?;
         let mut section = (*current.shape).clone();
         let mut frame = self.frame(turn, current);
