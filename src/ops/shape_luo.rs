@@ -112,7 +112,14 @@ fn wings<const N: usize>(
     for polygon in area.polygons() {
         let outer = polygon.outer().len();
         let looks = |edge: usize, side: &str| {
-            Selectors::of_word(side).is_some_and(|word| edges[first + edge].selectors.meets(word))
+            // On an upright face the front lies at the bottom and the back at the top.
+            let upright = match side {
+                "front" => "bottom",
+                "back" => "top",
+                side => side,
+            };
+            let words = [side, upright].into_iter().filter_map(Selectors::of_word);
+            words.into_iter().any(|word| edges[first + edge].selectors.meets(word))
         };
         let depth = |edge: usize| {
             let side = sides.iter().filter(|_| edge < outer).find(|(side, _)| looks(edge, side));
