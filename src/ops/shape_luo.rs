@@ -118,8 +118,8 @@ fn wings<const N: usize>(
                 "back" => "top",
                 side => side,
             };
-            let words = [side, upright].into_iter().filter_map(Selectors::of_word);
-            words.into_iter().any(|word| edges[first + edge].selectors.meets(word))
+            let mut words = [side, upright].into_iter().filter_map(Selectors::of_word);
+            words.any(|word| edges[first + edge].selectors.meets(word))
         };
         let depth = |edge: usize| {
             let side = sides.iter().filter(|_| edge < outer).find(|(side, _)| looks(edge, side));
