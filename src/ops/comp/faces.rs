@@ -13,7 +13,7 @@ pub(super) const ALONG: f64 = 1e-4;
 /// Every face, z along its normal.
 pub(super) fn faces(shape: &Shape) -> Vec<Component> {
     let mesh = shape.local_mesh().unwrap_or_default();
-    let open = open_faces(&mesh);
+    let open = if let Geometry::Mesh(_) = &shape.geometry { open_faces(&mesh) } else { Vec::new() };
     let found = mesh.faces().enumerate().filter_map(|(index, face)| {
         let normal = face.normal();
         let rings: Vec<Vec<DVec3>> = face.rings().map(|ring| face.positions(ring).collect()).collect();
@@ -21,7 +21,8 @@ pub(super) fn faces(shape: &Shape) -> Vec<Component> {
         let selectors = Selectors::of(middle(&rings[0]), normal, shape);
         let inside = match &shape.geometry {
             Geometry::Flat(_, area) => is_surrounded(area, index),
-            _ => !open[index],
+            // Prisms are closed.
+            _ => !open.get(index).is_some_and(|open| *open),
         };
         let selectors = if inside { selectors.inside() } else { selectors.border() };
         Some(Component { selectors, shape: child, words: &[] })
