@@ -16,7 +16,8 @@ operation! {
     /// longest of its outline or hole. `shape` takes the rectangle, `remainder` what is around it. It is exact in
     /// convex shapes and to a millimetre in others; no side of it can be moved outwards.
     /// ```cga
-    /// Lot --> split(x) { ~2 : r(0, 15, 0) innerRectangle(scope) { shape : Lawn | remainder : Meadow } | ~1 : Gravel }
+    /// Lot  --> shapeL(12, 15) { shape : Wing | remainder : Gravel }
+    /// Wing --> innerRectangle(scope) { shape : Lawn | remainder : Meadow }
     /// ```
     "innerRectangle" (CityEngine, Selectors(&["shape", "remainder"])) => pub struct InnerRectangle {
         /// What its sides run along.

@@ -12,8 +12,8 @@ operation! {
     ///
     /// The scope stays where it is, and faces still look outwards; a flat shape stays as it is along its normal.
     /// ```cga
-    /// Lot --> split(x) { ~1 : Wing | ~1 : mirror(true, false, false) Wing }
-    /// Wing --> shapeL(8, 6) { shape : Gravel | remainder : Lawn }
+    /// Lot  --> split(x) { ~1 : Half(false) | ~1 : Half(true) }
+    /// Half(turned) --> shapeL(12, 5) { shape : mirror(turned, false, false) Gravel | remainder : NIL }
     /// ```
     "mirror" (CityEngine, None) => pub struct Mirror {
         /// Whether left and right change places.
