@@ -5,7 +5,7 @@ use crate::check::code::{Code, Kind, Measure};
 use crate::check::expressions::words;
 use crate::check::program::Selector;
 use crate::diag::{Diagnostic, Span};
-use crate::ops;
+use crate::ops::{self, Gather};
 use crate::syntax::ast::{Arg, BinaryOp, Expr, ExprKind, Separator};
 use crate::value::{Array, Value};
 use std::sync::Arc;
@@ -130,7 +130,7 @@ impl Checker {
             let test = self.test(&[], key);
             let (value, kind) = self.value(expr);
             if let Some(test) = test {
-                selectors.push(Selector { test, together: *separator != Separator::Each });
+                selectors.push(Selector { test, gather: self.gather(*separator, key.span) });
                 values.push(value);
             }
             kinds.push((kind, expr));
@@ -142,6 +142,20 @@ impl Checker {
         let kind = self.one_kind(kinds.into_iter());
         let (args, selectors, values) = (args.into(), selectors.into(), values.into());
         (Code::Comp(Box::new(Measure { operation, args, selectors, values, span })), kind.array())
+    }
+
+    /// How the components of an entry share a value.
+    fn gather(&mut self, separator: Separator, span: Span) -> Gather {
+        match separator {
+            Separator::Each => Gather::Each,
+            Separator::All => Gather::All,
+            Separator::Connected => {
+                let message = "`=:` cannot stand in the function `comp`";
+                let hint = "`:` finds a value for each component, `=` one for all of them";
+                self.tell(Diagnostic::error("block", span, message).hint(hint));
+                Gather::All
+            }
+        }
     }
 
     /// A text that a choice is compared with must be one of its choices.

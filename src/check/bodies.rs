@@ -4,7 +4,7 @@ use crate::check::Checker;
 use crate::check::code::Code;
 use crate::check::program::{Application, Block, Body, Cut, Selector, Step, Successor, Test};
 use crate::diag::{Diagnostic, Span};
-use crate::ops::{self, BlockKind, OPERATIONS, Operation, Origin, Selectors, Spec, UNBUILT_OPERATIONS};
+use crate::ops::{self, BlockKind, Gather, OPERATIONS, Operation, Origin, Selectors, Spec, UNBUILT_OPERATIONS};
 use crate::syntax::ast::{self, Arg, Call, Content, Entry, Expr, ExprKind, Op, Separator};
 use crate::text::nearest;
 use std::sync::Arc;
@@ -210,6 +210,7 @@ impl Checker {
                 let cuts = self.cuts(&block.entries, &mut bodies);
                 Block::Cuts(if block.repeat { Box::new([Cut::Repeat(cuts)]) } else { cuts })
             }
+            (BlockKind::Perimeter, Some(_)) => self.perimeter(operation.spec, &call.blocks, &mut bodies),
             (BlockKind::Selectors(extra), Some(block)) => {
                 self.no_repeat(operation.spec, block);
                 let entries = block.entries.iter();
@@ -251,7 +252,7 @@ impl Checker {
         }
     }
 
-    fn cuts(&mut self, entries: &[Entry], bodies: &mut Vec<Body>) -> Box<[Cut]> {
+    pub(super) fn cuts(&mut self, entries: &[Entry], bodies: &mut Vec<Body>) -> Box<[Cut]> {
         entries.iter().filter_map(|entry| self.cut(entry, bodies)).collect()
     }
 
@@ -283,7 +284,7 @@ impl Checker {
         }
     }
 
-    fn selector(
+    pub(super) fn selector(
         &mut self,
         spec: &Spec,
         extra: &'static [&'static str],
@@ -296,13 +297,15 @@ impl Checker {
             self.tell(Diagnostic::error("block", entry.span, message).hint(hint));
             return None;
         };
-        if head.separator == Separator::Connected {
-            self.not_yet(head.key.span, "the separator `=:`");
-        }
         let test = self.test(extra, &head.key);
         let body = self.body(body);
         bodies.push(body);
-        Some(Selector { test: test?, together: head.separator != Separator::Each })
+        let gather = match head.separator {
+            Separator::Each => Gather::Each,
+            Separator::All => Gather::All,
+            Separator::Connected => Gather::Connected,
+        };
+        Some(Selector { test: test?, gather })
     }
 
     pub(super) fn test(&mut self, extra: &'static [&'static str], key: &Expr) -> Option<Test> {

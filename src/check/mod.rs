@@ -12,6 +12,7 @@ mod modules;
 mod names;
 mod order;
 mod overrides;
+mod perimeter;
 mod program;
 mod reach;
 mod styles;

@@ -3,7 +3,7 @@
 use crate::check::code::{Code, Kind};
 use crate::check::reach;
 use crate::diag::Span;
-use crate::ops::{Component, Given, Operation, Pieces, Problem, Ready};
+use crate::ops::{Component, Gather, Given, Operation, Pieces, Problem, Ready};
 use crate::shape::Shape;
 use crate::syntax::Source;
 use crate::value::Value;
@@ -163,6 +163,15 @@ pub enum Block {
     None,
     /// Sizes.
     Cuts(Box<[Cut]>),
+    /// Bands of a perimeter.
+    Perimeter {
+        /// Their lengths.
+        cuts: Box<[Cut]>,
+        /// Their depths, by entry, each with its place.
+        depths: Box<[(Code, Span)]>,
+        /// Who takes what they leave.
+        rest: Box<[Selector]>,
+    },
     /// Selectors.
     Selectors(Box<[Selector]>),
     /// One body for all children.
@@ -184,8 +193,8 @@ pub enum Cut {
 pub struct Selector {
     /// What it asks for.
     pub test: Test,
-    /// `=`: all in one shape.
-    pub together: bool,
+    /// Which of its components become one shape.
+    pub gather: Gather,
 }
 
 /// What a selector asks for.
@@ -278,6 +287,20 @@ impl Application {
         match &self.ready {
             Some(ready) => ready.components(shape),
             None => self.operation.components(values, shape),
+        }
+    }
+
+    /// The entry of each section of a perimeter, `most` at most; `values` are used up where the arguments were not known.
+    pub fn sections(
+        &self,
+        values: &mut [Option<Value>],
+        shape: &Shape,
+        cuts: &[crate::ops::Cut],
+        most: usize,
+    ) -> Result<Vec<u16>, Problem> {
+        match &self.ready {
+            Some(ready) => ready.sections(shape, cuts, most),
+            None => self.operation.sections(values, shape, cuts, most),
         }
     }
 

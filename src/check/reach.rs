@@ -1,7 +1,7 @@
 //! What a rule reaches: the attributes that it and all that can come of it read.
 
 use crate::check::code::Code;
-use crate::check::program::{Application, Block, Body, Cut, Fresh, Program, Renewed, Step};
+use crate::check::program::{Application, Block, Body, Cut, Fresh, Program, Renewed, Selector, Step};
 use crate::ops::ParamKind;
 use std::collections::BTreeSet;
 
@@ -67,9 +67,12 @@ impl Reach<'_> {
         read.for_each(|code| self.code(code));
         match &application.block {
             Block::Cuts(cuts) => self.cuts(cuts),
-            Block::Selectors(selectors) => {
-                selectors.iter().filter_map(|selector| selector.test.code()).for_each(|code| self.code(code));
+            Block::Perimeter { cuts, depths, rest } => {
+                self.cuts(cuts);
+                depths.iter().for_each(|(code, _)| self.code(code));
+                self.selectors(rest);
             }
+            Block::Selectors(selectors) => self.selectors(selectors),
             Block::None | Block::Body => {}
         }
         application.bodies.iter().for_each(|body| self.body(body));
@@ -84,6 +87,10 @@ impl Reach<'_> {
                 Renewed::Protected(code) => self.code(code),
             }
         }
+    }
+
+    fn selectors(&mut self, selectors: &[Selector]) {
+        selectors.iter().filter_map(|selector| selector.test.code()).for_each(|code| self.code(code));
     }
 
     fn cuts(&mut self, cuts: &[Cut]) {

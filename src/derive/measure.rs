@@ -7,7 +7,7 @@ use crate::check::Measure;
 use crate::derive::evaluate::{Failure, Names, evaluate, reborrow};
 use crate::derive::select;
 use crate::functions::Surroundings;
-use crate::ops::{Choice, Component, Problem};
+use crate::ops::{Choice, Component, Gather, Problem};
 use crate::shape::Shape;
 use crate::value::{Array, Cells, MOST_CELLS, Value};
 use smallvec::SmallVec;
@@ -28,7 +28,7 @@ pub(super) fn measure(measure: &Measure, names: &Names, around: &mut Surrounding
     for (entry, code) in measure.values.iter().enumerate() {
         let taken = |index: &usize| chosen[*index].is_some_and(|choice| usize::from(choice.entry) == entry);
         let taken: Vec<usize> = (0..components.len()).filter(taken).collect();
-        if measure.selectors[entry].together {
+        if measure.selectors[entry].gather != Gather::Each {
             let Some(shape) = together(around.shape, &components, &taken) else { continue };
             let value = on(&shape, code, names, around)?;
             taken.iter().for_each(|index| values[*index] = Some(value.clone()));
@@ -75,7 +75,8 @@ fn count(components: &mut [Component], chosen: &[Option<Choice>]) {
 fn together(parent: &Shape, components: &[Component], taken: &[usize]) -> Option<Shape> {
     let shapes: Vec<Shape> = taken.iter().map(|index| components[*index].shape.clone()).collect();
     let first = shapes.first()?.clone();
-    let mut shape = crate::ops::joined(parent, shapes).unwrap_or(first);
+    let joined = crate::ops::joined(parent, &shapes, Gather::All).ok().and_then(|joined| joined.into_iter().next());
+    let mut shape = joined.unwrap_or(first);
     shape.ordinals.comp = (0, 1);
     Some(shape)
 }

@@ -41,7 +41,7 @@ pub(super) fn choose(
 ) -> Result<Vec<Option<Choice>>, Failure> {
     let mut chosen = vec![None; components.len()];
     for (entry, selector) in selectors.iter().enumerate() {
-        let choice = Choice { entry: entry as u16, together: selector.together };
+        let choice = Choice { entry: entry as u16, gather: selector.gather };
         // What is left over answers to its own word alone: it has no number, and no condition takes it.
         let total = components.iter().filter(|component| !component.is_rest()).count();
         for (index, component) in components.iter().enumerate() {

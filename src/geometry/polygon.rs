@@ -101,6 +101,15 @@ impl Polygon {
         self.rings().flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| (*a, *b)))
     }
 
+    /// The edge with an index in [`Polygon::edges`], which must exist.
+    pub fn edge(&self, index: usize) -> (DVec2, DVec2) {
+        let starts = self.holes.as_deref().unwrap_or(&[]);
+        let ring = starts.partition_point(|start| *start as usize <= index);
+        let first = if ring == 0 { 0 } else { starts[ring - 1] as usize };
+        let end = starts.get(ring).map_or(self.points.len(), |start| *start as usize);
+        (self.points[index], if index + 1 == end { self.points[first] } else { self.points[index + 1] })
+    }
+
     /// Area in m², holes taken off.
     pub fn area(&self) -> f64 {
         self.rings().map(ring_area).sum()
@@ -179,6 +188,11 @@ impl Area {
     /// The parts.
     pub fn polygons(&self) -> &[Polygon] {
         &self.0
+    }
+
+    /// The parts, taken out.
+    pub fn into_polygons(self) -> impl Iterator<Item = Polygon> {
+        self.0.into_iter()
     }
 
     /// Whether there is nothing.

@@ -13,42 +13,57 @@ mod align_scope_to_axes;
 mod along;
 mod boundary;
 mod center;
+mod cleanup_geometry;
 mod cluster;
 mod color;
 mod comp;
+mod convexify;
 mod coverage;
+mod delete_holes;
 mod distr;
 mod envelope;
 mod equidistant;
 mod extrude;
 mod faces;
 mod fit;
+mod footprint;
+mod gather;
 mod ground;
+mod inner_rectangle;
 mod insert;
 mod instance;
 mod label;
+mod mirror;
 mod offset;
 mod plant;
 mod points;
 mod primitives;
 mod print;
 mod r;
+mod rectify;
 mod regular;
 mod report;
+mod rim;
 mod rows;
 mod s;
 mod scatter;
 mod semirandom;
 mod set;
 mod setback;
+mod setback_per_edge;
+mod setback_to_area;
+mod shape_luo;
 mod single;
 mod split;
+mod split_and_setback_perimeter;
+mod split_area;
 mod strategy;
 mod t;
 mod without;
 
 pub use comp::joined;
-pub use faces::{Component, Selectors};
+pub use faces::{Component, RoofEdge, Selectors};
+pub use gather::Gather;
 pub use ground::Ground;
 pub use spec::{AttributeName, BlockKind, Origin, Param, ParamKind, Parameter, Spec, Word};
 pub use split::Cut;
@@ -68,9 +83,25 @@ use std::sync::Arc;
 /// Every operation, in the order of the manual.
 pub static OPERATIONS: &[Operation] = &[
     split::Split::OPERATION,
+    split_area::SplitArea::OPERATION,
     comp::Comp::OPERATION,
     setback::Setback::OPERATION,
+    setback_per_edge::SetbackPerEdge::OPERATION,
+    setback_to_area::SetbackToArea::OPERATION,
+    split_and_setback_perimeter::SplitAndSetbackPerimeter::OPERATION,
+    inner_rectangle::InnerRectangle::OPERATION,
+    inner_rectangle::InnerRect::OPERATION,
+    shape_luo::ShapeL::OPERATION,
+    shape_luo::ShapeU::OPERATION,
+    shape_luo::ShapeO::OPERATION,
     offset::Offset::OPERATION,
+    convexify::Convexify::OPERATION,
+    delete_holes::DeleteHoles::OPERATION,
+    cleanup_geometry::CleanupGeometry::OPERATION,
+    rectify::Rectify::OPERATION,
+    footprint::Footprint::OPERATION,
+    mirror::Mirror::OPERATION,
+    mirror::ReverseNormals::OPERATION,
     without::Without::OPERATION,
     coverage::Coverage::OPERATION,
     scatter::Scatter::OPERATION,
@@ -115,6 +146,7 @@ pub struct Operation {
     /// Its first argument becomes a label.
     pub labels: bool,
     components: Components,
+    sections: Sections,
     apply: Application,
     ready: fn(&mut [Option<Value>]) -> Option<Box<dyn Ready>>,
 }
@@ -123,6 +155,9 @@ pub struct Operation {
 pub trait Ready: Send + Sync {
     /// The components for the selectors.
     fn components(&self, shape: &Shape) -> Result<Vec<Component>, Problem>;
+
+    /// The entry of each section of a perimeter, `most` at most.
+    fn sections(&self, shape: &Shape, cuts: &[Cut], most: usize) -> Result<Vec<u16>, Problem>;
 
     /// Changes the shape or gives its pieces.
     fn apply(&self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem>;
@@ -135,6 +170,10 @@ impl<T: Apply + Clone + Send + Sync> Ready for Decoded<T> {
         self.0.components(shape)
     }
 
+    fn sections(&self, shape: &Shape, cuts: &[Cut], most: usize) -> Result<Vec<u16>, Problem> {
+        self.0.sections(shape, cuts, most)
+    }
+
     fn apply(&self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
         self.0.clone().apply(shape, given)
     }
@@ -143,6 +182,9 @@ impl<T: Apply + Clone + Send + Sync> Ready for Decoded<T> {
 /// Arguments, one per parameter, and a shape → what selectors choose among.
 type Components = fn(&mut [Option<Value>], &Shape) -> Result<Vec<Component>, Problem>;
 
+/// Arguments, one per parameter, a shape and the sizes of a block → the entry of each section.
+type Sections = fn(&mut [Option<Value>], &Shape, &[Cut], usize) -> Result<Vec<u16>, Problem>;
+
 /// Arguments, one per parameter, and a shape → pieces; the shape is changed in place.
 type Application = fn(&mut [Option<Value>], &mut Shape, &Given) -> Result<Pieces, Problem>;
 
@@ -150,6 +192,8 @@ type Application = fn(&mut [Option<Value>], &mut Shape, &Given) -> Result<Pieces
 pub struct Given<'a> {
     /// The sizes of a split block, evaluated on the shape.
     pub cuts: &'a [Cut],
+    /// The depth of each section of a perimeter, as [`Apply::sections`] counts them.
+    pub depths: &'a [f64],
     /// For each component the entry of the block that selected it, and whether its pieces are put together.
     pub chosen: &'a [Option<Choice>],
     /// Where the operation's random numbers come from.
@@ -191,8 +235,8 @@ pub struct Given<'a> {
 pub struct Choice {
     /// The entry.
     pub entry: u16,
-    /// `=`: all components of the entry in one shape.
-    pub together: bool,
+    /// What becomes of the entry's components.
+    pub gather: Gather,
 }
 
 /// What an operation makes of a shape.
@@ -205,9 +249,11 @@ pub enum Pieces {
     Told(Effect),
     /// Successors, each for an entry of the block, that use the shape up.
     Parts(Vec<Part>),
+    /// The same, and something is to be known about them.
+    Noted(Vec<Part>, Vec<Remark>),
     /// The same, beside the shape: points set on a lawn leave the lawn.
     Beside(Vec<Part>),
-    /// The same, and something is to be known about them.
+    /// The same with places that plants keep for themselves, and something is to be known about them.
     Placed(Vec<Part>, Vec<Remark>),
 }
 
@@ -273,6 +319,11 @@ pub trait Apply {
         Ok(Vec::new())
     }
 
+    /// The entry of every section that a perimeter is split into, so that their depths can be evaluated.
+    fn sections(&self, _shape: &Shape, _cuts: &[Cut], _most: usize) -> Result<Vec<u16>, Problem> {
+        Ok(Vec::new())
+    }
+
     /// Changes the shape or gives its pieces; pieces leave the shape as it was.
     fn apply(self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem>;
 }
@@ -305,6 +356,7 @@ impl Operation {
             looks_around: T::LOOKS_AROUND,
             labels: T::LABELS,
             components: |values, shape| T::decode(values)?.components(shape),
+            sections: |values, shape, cuts, most| T::decode(values)?.sections(shape, cuts, most),
             apply: |values, shape, given| T::decode(values)?.apply(shape, given),
             ready: |values| T::decode(values).ok().map(|decoded| Box::new(Decoded(decoded)) as Box<dyn Ready>),
         }
@@ -318,6 +370,17 @@ impl Operation {
     /// The components for the selectors; the values are used up.
     pub fn components(&self, values: &mut [Option<Value>], shape: &Shape) -> Result<Vec<Component>, Problem> {
         (self.components)(values, shape)
+    }
+
+    /// The entry of each section of a perimeter, `most` at most; the values are used up.
+    pub fn sections(
+        &self,
+        values: &mut [Option<Value>],
+        shape: &Shape,
+        cuts: &[Cut],
+        most: usize,
+    ) -> Result<Vec<u16>, Problem> {
+        (self.sections)(values, shape, cuts, most)
     }
 
     /// Changes the shape or gives its pieces; the values are used up.

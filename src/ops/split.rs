@@ -65,10 +65,13 @@ pub enum Cut {
 
 /// A part's place along the axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Interval {
-    from: f64,
-    to: f64,
-    entry: u16,
+pub(super) struct Interval {
+    /// Where it begins.
+    pub from: f64,
+    /// Where it ends.
+    pub to: f64,
+    /// The entry of the block it goes to.
+    pub entry: u16,
 }
 
 impl Apply for Split {
@@ -76,22 +79,27 @@ impl Apply for Split {
         let axis = [Axis::X, Axis::Y, Axis::Z][self.axis as usize];
         let length = shape.scope.size[axis.index()];
         let intervals = intervals(given.cuts, length, given.most)?;
-        let total = intervals.len() as u32;
-        let pieces = cut(shape, axis, &intervals)?;
-        let mut parts = Vec::with_capacity(pieces.len());
-        for (index, (interval, geometry)) in (0..).zip(intervals.iter().zip(pieces)) {
-            let child = match self.scope {
-                _ if geometry == Geometry::Empty => None,
-                Adjust::Adjust => fit::fitted(shape, geometry),
-                Adjust::NoAdjust => Some(unadjusted(shape, axis, interval, geometry)),
-            };
-            if let Some(mut child) = child {
-                child.ordinals.split = (index, total);
-                parts.push(Part::new(interval.entry, child));
-            }
-        }
-        Ok(Pieces::Parts(parts))
+        parts(shape, axis, self.scope, &intervals)
     }
+}
+
+/// The shape's parts between places on an axis.
+pub(super) fn parts(shape: &Shape, axis: Axis, scope: Adjust, intervals: &[Interval]) -> Result<Pieces, Problem> {
+    let total = intervals.len() as u32;
+    let pieces = cut(shape, axis, intervals)?;
+    let mut parts = Vec::with_capacity(pieces.len());
+    for (index, (interval, geometry)) in (0..).zip(intervals.iter().zip(pieces)) {
+        let child = match scope {
+            _ if geometry == Geometry::Empty => None,
+            Adjust::Adjust => fit::fitted(shape, geometry),
+            Adjust::NoAdjust => Some(unadjusted(shape, axis, interval, geometry)),
+        };
+        if let Some(mut child) = child {
+            child.ordinals.split = (index, total);
+            parts.push(Part::new(interval.entry, child));
+        }
+    }
+    Ok(Pieces::Parts(parts))
 }
 
 fn unadjusted(shape: &Shape, axis: Axis, interval: &Interval, geometry: Geometry) -> Shape {
@@ -213,7 +221,7 @@ enum Length {
 }
 
 /// Where each part begins and ends.
-fn intervals(cuts: &[Cut], length: f64, most: usize) -> Result<Vec<Interval>, Problem> {
+pub(super) fn intervals(cuts: &[Cut], length: f64, most: usize) -> Result<Vec<Interval>, Problem> {
     if !length.is_finite() {
         return Err(Problem::new("the scope has no finite size along the axis"));
     }

@@ -8,6 +8,7 @@ mod measure;
 mod occluders;
 mod scope;
 mod state;
+mod streets;
 
 pub use derivation::{Derivation, LeafOf, Lot, Node, NodeId, Outcome, Print};
 pub use facing::Facing;
@@ -17,3 +18,4 @@ pub use measure::Measure;
 pub use occluders::{Occluder, Occluders, Relation};
 pub use scope::{Axis, Frame, Scope};
 pub use state::{Envelope, Ordinals, Place, Shape, Style};
+pub use streets::{StreetSide, Streets};

@@ -33,10 +33,11 @@ pub fn layout(mut regions: Vec<Region>, features: Vec<Feature>) -> Layout {
     Layout { regions, features, ..Layout::default() }
 }
 
-/// A value as written behind `name=`: a number, a truth value, a list of numbers such as `[1,2]`, or else a text.
+/// A value as written behind `name=`: a number, an array of numbers (`[1,0,2]`), a truth value, or else a text.
 pub fn value(text: &str) -> Value {
-    if let Some(list) = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
-        let numbers = list.split(',').map(|number| number.parse().expect("a number")).collect();
+    let list = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
+    let numbers = list.and_then(|list| list.split(',').map(|n| n.parse().ok()).collect::<Option<Vec<f64>>>());
+    if let Some(numbers) = numbers {
         return Value::Array(Arc::new(Array::row(Cells::Numbers(numbers))));
     }
     match (text.parse::<f64>(), text) {

@@ -7,11 +7,11 @@ use crate::derive::frame::climb;
 use crate::derive::position::{self, Varied};
 use crate::derive::select;
 use crate::diag::Span;
-use crate::ops::{Effect, Given, ParamKind, Part, Pieces};
+use crate::ops::{Component, Cut, Effect, Given, ParamKind, Part, Pieces};
 use crate::placement::{Disk, Field};
 use crate::seed::Seed;
 use crate::shape::{Geometry, LeafOf, NodeId, Occluder, Print, Shape, on_plan};
-use crate::value::Value;
+use crate::value::{Array, Cells, Value};
 use glam::DVec3;
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -30,7 +30,7 @@ impl Engine<'_> {
         current: &mut Current,
     ) -> Result<(), Stop> {
         let cuts = match &application.block {
-            Block::Cuts(cuts) => {
+            Block::Cuts(cuts) | Block::Perimeter { cuts, .. } => {
                 select::cuts(cuts, &mut self.frame(turn, current)).map_err(|f| self.failed(f, turn))?
             }
             _ => Vec::new(),
@@ -40,13 +40,18 @@ impl Engine<'_> {
             self.arguments(application, turn, current, &mut values, &mut fields)?;
         }
         let chosen = match &application.block {
-            Block::Selectors(selectors) => {
+            Block::Selectors(selectors) | Block::Perimeter { rest: selectors, .. } => {
                 let components = application.components(&mut values.clone(), &current.shape);
                 let components = components.map_err(|p| self.problem(application, p, turn))?;
+                self.on_edges(application, turn, current, &components, &mut values)?;
                 let mut frame = self.frame(turn, current);
                 let chosen = frame.with(|names, around| select::choose(selectors, &components, names, around));
                 chosen.map_err(|f| self.failed(f, turn))?
             }
+            _ => Vec::new(),
+        };
+        let depths = match &application.block {
+            Block::Perimeter { depths, .. } => self.depths(application, depths, &cuts, &values, turn, current)?,
             _ => Vec::new(),
         };
         let seed = current.shape.seed.child(current.count);
@@ -54,6 +59,7 @@ impl Engine<'_> {
         let (branches, branch) = (&self.branches, current.branch);
         let given = Given {
             cuts: &cuts,
+            depths: &depths,
             chosen: &chosen,
             seed,
             lot: self.seed,
@@ -94,6 +100,11 @@ impl Engine<'_> {
                 current.used = true;
                 self.parts(application, parts, (seed, current.branch), turn)?;
             }
+            Pieces::Noted(parts, remarks) => {
+                remarks.into_iter().for_each(|remark| self.remark(application, remark, turn));
+                current.used = true;
+                self.parts(application, parts, (seed, current.branch), turn)?;
+            }
             Pieces::Beside(parts) => self.parts(application, parts, (seed, current.branch), turn)?,
             Pieces::Placed(mut parts, remarks) => {
                 remarks.into_iter().for_each(|remark| self.remark(application, remark, turn));
@@ -118,11 +129,58 @@ impl Engine<'_> {
         let params = application.operation.spec.params.iter().zip(&application.arg_spans);
         for (arg, (param, span)) in application.args.iter().zip(params) {
             let value = arg.as_ref().map(|code| match (code.known(), param.kind) {
+                (_, ParamKind::OnEdges) => Ok(numbers(Vec::new())),
                 (Some(value), _) => Ok(value.clone()),
                 (None, ParamKind::Varying(_)) => self.varied(code, param.name, *span, turn, current, fields),
                 (None, _) => self.frame(turn, current).with(|n, a| evaluate::evaluate(code, n, a)),
             });
             values.push(value.transpose().map_err(|f| self.failed(f, turn))?);
+        }
+        Ok(())
+    }
+
+    /// The depth of each section of a perimeter, evaluated with its own `split.index`.
+    fn depths(
+        &mut self,
+        application: &Application,
+        depths: &[(Code, Span)],
+        cuts: &[Cut],
+        values: &Values,
+        turn: &Turn,
+        current: &mut Current,
+    ) -> Result<Vec<f64>, Stop> {
+        let most = self.options.limits.children;
+        let sections = application.sections(&mut values.clone(), &current.shape, cuts, most);
+        let sections = sections.map_err(|p| self.problem(application, p, turn))?;
+        let mut section = (*current.shape).clone();
+        let mut frame = self.frame(turn, current);
+        let mut depth = |(index, entry): (usize, &u16)| {
+            section.ordinals.split = (index as u32, sections.len() as u32);
+            let Some((code, span)) = depths.get(usize::from(*entry)) else { return Ok(0.0) };
+            frame.on(&section, |n, a| evaluate::number(code, n, a, *span))
+        };
+        let found = sections.iter().enumerate().map(&mut depth).collect::<Result<Vec<f64>, Failure>>();
+        found.map_err(|f| self.failed(f, turn))
+    }
+
+    /// The arguments that are asked on every component, as arrays.
+    fn on_edges(
+        &mut self,
+        application: &Application,
+        turn: &Turn,
+        current: &mut Current,
+        components: &[Component],
+        values: &mut Values,
+    ) -> Result<(), Stop> {
+        let params = application.operation.spec.params.iter().enumerate();
+        for (index, _) in params.filter(|(_, param)| param.kind == ParamKind::OnEdges) {
+            let Some(code) = &application.args[index] else { continue };
+            let span = application.arg_spans[index];
+            let mut frame = self.frame(turn, current);
+            let edges = components.iter().filter(|component| !component.is_rest());
+            let asked = edges.map(|edge| frame.on(&edge.shape, |n, a| evaluate::number(code, n, a, span)));
+            let found = asked.collect::<Result<Vec<f64>, Failure>>();
+            values[index] = Some(numbers(found.map_err(|f| self.failed(f, turn))?));
         }
         Ok(())
     }
@@ -208,6 +266,11 @@ impl Engine<'_> {
         }
         self.outcome.leaves.push(LeafOf { node, shape });
     }
+}
+
+/// Numbers as a value.
+fn numbers(numbers: Vec<f64>) -> Value {
+    Value::Array(Arc::new(Array::row(Cells::Numbers(numbers))))
 }
 
 /// Whether its y points up: what is set on walls takes no place on the plan.
