@@ -65,7 +65,7 @@ impl Reach<'_> {
                 Test::Index(code) | Test::Condition(code) => self.code(code),
                 Test::Word(_) | Test::Remainder => {}
             }),
-            Block::None | Block::Body => {}
+            Block::None | Block::Body | Block::Operands => {}
         }
         application.bodies.iter().for_each(|body| self.body(body));
     }

@@ -19,6 +19,7 @@ mod polygon;
 mod repair;
 mod setback;
 mod spread;
+mod straight;
 mod triangulate;
 
 pub use boolean::{difference, intersection, overlap_area, overlaps, union, union_all};
@@ -35,4 +36,5 @@ pub use polygon::{Area, LEAST_AREA, Polygon, ring_area};
 pub use repair::repair;
 pub use setback::{Setback, Strip, setback};
 pub use spread::relax;
+pub use straight::{StraightSkeleton, Unskeletal};
 pub use triangulate::triangulate;

@@ -2,8 +2,8 @@
 //!
 //! An operation takes a shape and gives pieces; it never calls the engine. Which block entry a piece goes to is
 //! decided in two steps for operations with selectors: [`Apply::components`] says what there is to choose from, the
-//! engine chooses, [`Apply::apply`] builds. Operations that derive inside themselves (inline, union, modify) will be
-//! one more case of [`Pieces`].
+//! engine chooses, [`Apply::apply`] builds. What operations derive inside a rule (`inline`, `union`) the engine derives
+//! before it applies them: they find the leaves among what they are [`Given`].
 
 mod declare;
 mod spec;
@@ -15,6 +15,7 @@ mod boundary;
 mod center;
 mod cluster;
 mod color;
+mod combine;
 mod comp;
 mod coverage;
 mod distr;
@@ -35,6 +36,7 @@ mod print;
 mod r;
 mod regular;
 mod report;
+mod roofs;
 mod rows;
 mod s;
 mod scatter;
@@ -71,6 +73,10 @@ pub static OPERATIONS: &[Operation] = &[
     setback::Setback::OPERATION,
     offset::Offset::OPERATION,
     without::Without::OPERATION,
+    combine::Inline::OPERATION,
+    combine::Union::OPERATION,
+    combine::Subtract::OPERATION,
+    combine::Intersect::OPERATION,
     coverage::Coverage::OPERATION,
     scatter::Scatter::OPERATION,
     distr::Distr::OPERATION,
@@ -84,6 +90,12 @@ pub static OPERATIONS: &[Operation] = &[
     rows::ParallelRows::OPERATION,
     rows::Quincunx::OPERATION,
     extrude::Extrude::OPERATION,
+    roofs::Hip::OPERATION,
+    roofs::Gable::OPERATION,
+    roofs::Pyramid::OPERATION,
+    roofs::Ridge::OPERATION,
+    roofs::Shed::OPERATION,
+    roofs::Taper::OPERATION,
     insert::Insert::OPERATION,
     instance::Instance::OPERATION,
     plant::Plant::OPERATION,
@@ -129,6 +141,8 @@ pub struct Given<'a> {
     pub cuts: &'a [Cut],
     /// For each component the entry of the block that selected it, and whether its pieces are put together.
     pub chosen: &'a [Option<Choice>],
+    /// What was derived of each part of a block of operands: what can become part of a shape.
+    pub operands: &'a [Vec<Shape>],
     /// Where the operation's random numbers come from.
     pub seed: Seed,
     /// The seed of the lot: what its plants have in common.
