@@ -4,6 +4,7 @@
 //! stream, so a function's result depends on the shape alone.
 
 mod attributes;
+mod context;
 mod geometry;
 mod math;
 mod occlusion;
@@ -117,6 +118,7 @@ static FUNCTIONS: &[&[Function]] = &[
     text::LIST,
     geometry::LIST,
     occlusion::LIST,
+    context::LIST,
     position::LIST,
     species::LIST,
     attributes::LIST,

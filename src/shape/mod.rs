@@ -2,6 +2,7 @@
 
 mod derivation;
 mod footprint;
+mod gap;
 mod geometry;
 mod measure;
 mod occluders;
