@@ -28,6 +28,7 @@ mod ground;
 mod insert;
 mod instance;
 mod label;
+mod normals;
 mod offset;
 mod plant;
 mod points;
@@ -110,6 +111,9 @@ pub static OPERATIONS: &[Operation] = &[
     r::Rotate::OPERATION,
     center::Center::OPERATION,
     align_scope_to_axes::AlignScopeToAxes::OPERATION,
+    normals::SetNormals::OPERATION,
+    normals::SoftenNormals::OPERATION,
+    normals::ReduceGeometry::OPERATION,
     set::Set::OPERATION,
     color::Color::OPERATION,
     label::Label::OPERATION,
