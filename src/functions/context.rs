@@ -79,7 +79,7 @@ fn target(args: &[Value]) -> Result<&str, String> {
 }
 
 /// Everything of a label that a query looks at.
-fn labelled<'a>(args: &'a [Value], around: &Surroundings<'a>) -> Result<impl Iterator<Item = &'a Occluder>, String> {
+fn labelled<'s>(args: &'s [Value], around: &'s Surroundings) -> Result<impl Iterator<Item = &'s Occluder>, String> {
     let (target, label) = (target(args)?, text_at(args, 1)?);
     let within = around.intra.labelled(label).filter(move |_| target != "inter");
     Ok(within.chain(around.inter.labelled(label).filter(move |_| target != "intra")))

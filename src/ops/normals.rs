@@ -58,19 +58,26 @@ choice! {
 
 impl Apply for SetNormals {
     fn apply(self, _: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
-        Ok(without_effect("setNormals"))
+        // What is to stay as it is does.
+        Ok(if self.mode == Mode::Conservative { Pieces::Changed } else { without_effect("setNormals") })
     }
 }
 
 impl Apply for SoftenNormals {
     fn apply(self, _: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
-        Ok(without_effect("softenNormals"))
+        match self.angle.0 {
+            0.0..=180.0 => Ok(without_effect("softenNormals")),
+            angle => Err(Problem::new(format!("an angle between faces lies from 0 to 180 degrees, found {angle}"))),
+        }
     }
 }
 
 impl Apply for ReduceGeometry {
     fn apply(self, _: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
-        Ok(without_effect("reduceGeometry"))
+        match self.reduction {
+            0.0..=1.0 => Ok(without_effect("reduceGeometry")),
+            share => Err(Problem::new(format!("the share of vertices that goes lies from 0 to 1, found {share}"))),
+        }
     }
 }
 

@@ -66,11 +66,12 @@ impl StraightSkeleton {
 fn concave_corners(polygon: &Polygon) -> usize {
     let concave = |ring: &[DVec2]| {
         let count = ring.len();
-        (0..count).filter(|i| {
-            let (a, b, c) = (ring[(i + count - 1) % count], ring[*i], ring[(i + 1) % count]);
-            (b - a).perp_dot(c - b) < 0.0
-        })
-        .count()
+        (0..count)
+            .filter(|i| {
+                let (a, b, c) = (ring[(i + count - 1) % count], ring[*i], ring[(i + 1) % count]);
+                (b - a).perp_dot(c - b) < 0.0
+            })
+            .count()
     };
     polygon.rings().map(concave).sum()
 }

@@ -114,8 +114,9 @@ impl Wish {
             Problem::new(format!("an overhang of {} m closes the corners of the outline", self.beyond[0]))
         })?;
         let skeleton = StraightSkeleton::of(&wide, &speeds).map_err(refused)?;
-        let mut mesh = match walls > 0.0 {
-            true => Mesh::prism(&part.clone().into(), 0.0, walls, |p, height| DVec3::new(p.x, height, -p.y)),
+        // The walls end at the eaves, on which the roof lies.
+        let mut mesh = match walls > drop {
+            true => Mesh::prism(&part.clone().into(), 0.0, walls - drop, |p, height| DVec3::new(p.x, height, -p.y)),
             false => Mesh::default(),
         };
         let mut roof = self.raised(&wide, skeleton, slope, drop, 0.0);
