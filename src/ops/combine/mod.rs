@@ -49,8 +49,8 @@ operation! {
     /// Flat shapes lose what lies in others of their plane and in prisms through it; prisms lose prisms over the same
     /// plane. What is taken off wholly is deleted.
     /// ```cga
-    /// Lot --> subtract { color("#9bb86b") Lawn | s('0.1, '1, '1) center(x) } Lawn.
-    /// Lawn --> offset(-1, inside)
+    /// Lot --> subtract { color("#9bb86b") Green | s('0.1, '1, '1) center(x) } Lawn.
+    /// Green --> offset(-1, inside)
     /// ```
     "subtract" (CityEngine, Operands(2)) => pub struct Subtract {}
 }
