@@ -15,7 +15,7 @@ use bosquet::seed::Seed;
 use bosquet::shape::{LeafOf, Shape};
 use bosquet::world::MemoryWorld;
 use glam::{DVec2, DVec3};
-use polygons::{convex, polygon};
+use polygons::{area, convex, polygon};
 use proptest::prelude::*;
 
 fn cases(count: u32) -> ProptestConfig {
@@ -27,12 +27,19 @@ fn leaves(rules: &str, polygon: &Polygon) -> Vec<Shape> {
     let world = MemoryWorld::default().with("main.cga", rules);
     let (program, found) = check(&world, "main.cga");
     assert!(!found.iter().any(Diagnostic::is_error), "{found:?}");
-    let layout = place::layout(vec![place::region("lot", polygon.clone())], Vec::new());
+    let layout = place::parse(&statements(polygon).iter().map(String::as_str).collect::<Vec<_>>()).expect("a layout");
     let (catalogue, limits) = (Catalogue::built_in(), Default::default());
     let options = Options { start: None, seed: Seed(3), set: Vec::new(), catalogue, world: &world, limits };
     let (mut derivation, found) = derive(&program, &layout, &options, &Progress::default());
     assert!(!found.iter().any(Diagnostic::is_error), "{found:?}");
     derivation.lots.remove(0).outcome.leaves.into_iter().map(|LeafOf { shape, .. }| *shape).collect()
+}
+
+/// The polygon as a test's layout says it.
+fn statements(polygon: &Polygon) -> Vec<String> {
+    let words = |ring: &[DVec2]| -> String { ring.iter().map(|p| format!(" {},{}", p.x, p.y)).collect() };
+    let kinds = std::iter::once("polygon").chain(std::iter::repeat("hole"));
+    polygon.rings().zip(kinds).map(|(ring, kind)| format!("{kind}{}", words(ring))).collect()
 }
 
 /// The mesh of the only leaf, in the world.
@@ -66,7 +73,8 @@ fn rectilinear() -> impl Strategy<Value = Polygon> {
 
 /// Any of them.
 fn outline() -> impl Strategy<Value = Polygon> {
-    prop_oneof![polygon(), convex(), rectilinear()]
+    let afar = area().prop_map(|area| area.polygons()[0].clone());
+    prop_oneof![polygon(), convex(), rectilinear(), afar]
 }
 
 /// The depth at which an outline shrinks to nothing, by halving.
