@@ -33,8 +33,18 @@ impl Checker {
             Op::Call(call) => self.call(call),
             Op::Push(body, _) => Some(Step::Push(self.body(body))),
             Op::Dynamic { import, overrides, call } => self.dynamic(import, overrides, call),
-            Op::Inline { span, .. } => self.unbuilt_step(*span, "`inline`"),
+            Op::Inline { mode, target, span } => self.inline(mode, target, *span),
         }
+    }
+
+    /// `inline(mode) target`: what stands behind it is derived inside the rule.
+    fn inline(&mut self, mode: &[Arg], target: &[Op], span: Span) -> Option<Step> {
+        let operation = ops::find("inline")?;
+        let (args, arg_spans) = self.arguments(operation.spec, mode, span);
+        let (args, arg_spans) = (args.into(), arg_spans.into());
+        let body = Body::Steps(target.iter().filter_map(|op| self.step(op)).collect());
+        let (block, bodies) = (Block::Operands, [body].into());
+        Some(Step::Apply(Box::new(Application { operation, args, arg_spans, block, bodies, span })))
     }
 
     fn unbuilt_step(&mut self, span: Span, what: &str) -> Option<Step> {
@@ -221,6 +231,11 @@ impl Checker {
                 self.single_body(operation.spec, block, &mut bodies);
                 Block::Body
             }
+            (BlockKind::Operands(count), Some(block)) => {
+                self.no_repeat(operation.spec, block);
+                self.inner_bodies(operation.spec, count, block, &mut bodies);
+                Block::Operands
+            }
         };
         if bodies.len() > usize::from(u16::MAX) {
             let parts = crate::text::counted(bodies.len(), "part");
@@ -250,6 +265,19 @@ impl Checker {
                 self.tell(Diagnostic::error("block", block.span, message).hint(format!("as in `{}`", spec.usage())));
             }
         }
+    }
+
+    fn inner_bodies(&mut self, spec: &Spec, count: usize, block: &ast::Block, bodies: &mut Vec<Body>) {
+        let plain = |entry: &Entry| match (&entry.head, &entry.content) {
+            (None, Content::Body(body)) => Some(body.clone()),
+            _ => None,
+        };
+        let given: Vec<ast::Body> = block.entries.iter().filter_map(plain).collect();
+        if given.len() != count || block.entries.len() != count {
+            let message = format!("the block of `{}` has {}", spec.name, crate::text::counted(count, "part"));
+            self.tell(Diagnostic::error("block", block.span, message).hint(format!("as in `{}`", spec.usage())));
+        }
+        bodies.extend(given.iter().map(|body| self.body(body)));
     }
 
     pub(super) fn cuts(&mut self, entries: &[Entry], bodies: &mut Vec<Body>) -> Box<[Cut]> {

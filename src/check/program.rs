@@ -176,6 +176,8 @@ pub enum Block {
     Selectors(Box<[Selector]>),
     /// One body for all children.
     Body,
+    /// Bodies that are derived inside the rule.
+    Operands,
 }
 
 /// An entry of a split block.

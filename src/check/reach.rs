@@ -73,7 +73,7 @@ impl Reach<'_> {
                 self.selectors(rest);
             }
             Block::Selectors(selectors) => self.selectors(selectors),
-            Block::None | Block::Body => {}
+            Block::None | Block::Body | Block::Operands => {}
         }
         application.bodies.iter().for_each(|body| self.body(body));
     }

@@ -9,6 +9,7 @@ mod assets;
 mod attributes;
 mod choice;
 mod colours;
+mod context;
 mod coordinates;
 mod elements;
 mod files;
@@ -158,6 +159,7 @@ static FUNCTIONS: &[&[Function]] = &[
     geometry::LIST,
     coordinates::LIST,
     occlusion::LIST,
+    context::LIST,
     position::LIST,
     species::LIST,
     files::LIST,

@@ -22,6 +22,7 @@ mod repair;
 mod setback;
 mod slab;
 mod spread;
+mod straight;
 mod tidy;
 mod triangulate;
 
@@ -42,5 +43,6 @@ pub use repair::repair;
 pub use setback::{Setback, Strip, set_in, setback};
 pub use slab::Sweep;
 pub use spread::relax;
+pub use straight::{StraightSkeleton, Unskeletal};
 pub use tidy::{rectified, thinned};
 pub use triangulate::triangulate;

@@ -2,8 +2,8 @@
 //!
 //! An operation takes a shape and gives pieces; it never calls the engine. Which block entry a piece goes to is
 //! decided in two steps for operations with selectors: [`Apply::components`] says what there is to choose from, the
-//! engine chooses, [`Apply::apply`] builds. Operations that derive inside themselves (inline, union, modify) will be
-//! one more case of [`Pieces`].
+//! engine chooses, [`Apply::apply`] builds. What operations derive inside a rule (`inline`, `union`) the engine derives
+//! before it applies them: they find the leaves among what they are [`Given`].
 
 mod declare;
 mod spec;
@@ -16,6 +16,7 @@ mod center;
 mod cleanup_geometry;
 mod cluster;
 mod color;
+mod combine;
 mod comp;
 mod convexify;
 mod coverage;
@@ -34,6 +35,7 @@ mod insert;
 mod instance;
 mod label;
 mod mirror;
+mod normals;
 mod offset;
 mod plant;
 mod points;
@@ -44,6 +46,7 @@ mod rectify;
 mod regular;
 mod report;
 mod rim;
+mod roofs;
 mod rows;
 mod s;
 mod scatter;
@@ -103,6 +106,10 @@ pub static OPERATIONS: &[Operation] = &[
     mirror::Mirror::OPERATION,
     mirror::ReverseNormals::OPERATION,
     without::Without::OPERATION,
+    combine::Inline::OPERATION,
+    combine::Union::OPERATION,
+    combine::Subtract::OPERATION,
+    combine::Intersect::OPERATION,
     coverage::Coverage::OPERATION,
     scatter::Scatter::OPERATION,
     distr::Distr::OPERATION,
@@ -116,6 +123,12 @@ pub static OPERATIONS: &[Operation] = &[
     rows::ParallelRows::OPERATION,
     rows::Quincunx::OPERATION,
     extrude::Extrude::OPERATION,
+    roofs::Hip::OPERATION,
+    roofs::Gable::OPERATION,
+    roofs::Pyramid::OPERATION,
+    roofs::Ridge::OPERATION,
+    roofs::Shed::OPERATION,
+    roofs::Taper::OPERATION,
     insert::Insert::OPERATION,
     instance::Instance::OPERATION,
     plant::Plant::OPERATION,
@@ -130,6 +143,9 @@ pub static OPERATIONS: &[Operation] = &[
     r::Rotate::OPERATION,
     center::Center::OPERATION,
     align_scope_to_axes::AlignScopeToAxes::OPERATION,
+    normals::SetNormals::OPERATION,
+    normals::SoftenNormals::OPERATION,
+    normals::ReduceGeometry::OPERATION,
     set::Set::OPERATION,
     color::Color::OPERATION,
     label::Label::OPERATION,
@@ -196,6 +212,8 @@ pub struct Given<'a> {
     pub depths: &'a [f64],
     /// For each component the entry of the block that selected it, and whether its pieces are put together.
     pub chosen: &'a [Option<Choice>],
+    /// What was derived of each part of a block of operands: what can become part of a shape.
+    pub operands: &'a [Vec<Shape>],
     /// Where the operation's random numbers come from.
     pub seed: Seed,
     /// The seed of the lot: what its plants have in common.

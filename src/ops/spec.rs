@@ -87,6 +87,8 @@ pub enum BlockKind {
     Selectors(&'static [&'static str]),
     /// `{ A }`: one successor for every child.
     Body,
+    /// `{ A | B }`: so many successors, derived inside the rule.
+    Operands(usize),
 }
 
 /// Where an operation comes from.
@@ -367,7 +369,8 @@ impl Spec {
             BlockKind::Perimeter => " { length : depth : A } { remainder : B }",
             BlockKind::Selectors(extra) if extra.contains(&"remainder") => " { selector : A | remainder : B }",
             BlockKind::Selectors(_) => " { selector : A }",
-            BlockKind::Body => " { A }",
+            BlockKind::Body | BlockKind::Operands(1) => " { A }",
+            BlockKind::Operands(_) => " { A | B }",
         };
         format!("{}({}){block}", self.name, params.join(", "))
     }

@@ -3,6 +3,7 @@
 mod derivation;
 mod facing;
 mod footprint;
+mod gap;
 mod geometry;
 mod measure;
 mod occluders;

@@ -56,11 +56,16 @@ impl Engine<'_> {
         };
         let seed = current.shape.seed.child(current.count);
         current.count += 1;
+        let operands = match &application.block {
+            Block::Operands => self.operands(application, seed, turn, current)?,
+            _ => Vec::new(),
+        };
         let (branches, branch) = (&self.branches, current.branch);
         let given = Given {
             cuts: &cuts,
             depths: &depths,
             chosen: &chosen,
+            operands: &operands,
             seed,
             lot: self.seed,
             run: self.options.seed,
@@ -261,7 +266,7 @@ impl Engine<'_> {
         if self.program.looks_around && is_plant(&shape) && is_upright(&shape) {
             self.stand(&shape);
         }
-        if self.program.asks_for_solids && shape.is_closed() {
+        if self.program.asks_for_solids && self.stays(&shape) && shape.is_closed() {
             self.intra.add(Occluder { label: None, layer: None, node: Some(branch), footprint: shape.footprint() });
         }
         self.outcome.leaves.push(LeafOf { node, shape });

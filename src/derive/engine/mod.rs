@@ -7,6 +7,7 @@
 mod apply;
 mod body;
 mod fresh;
+mod inside;
 mod report;
 
 use crate::check::{Body, Program};
@@ -63,6 +64,7 @@ pub(super) fn lot(run: &Run, index: usize, rule: u32, context: &[(usize, Value)]
         outcome: Outcome::default(),
         queue: Vec::new(),
         branches: vec![NodeId(0)],
+        inside: 0,
         begun: Instant::now(),
     };
     for failure in failures {
@@ -123,6 +125,8 @@ struct Engine<'a> {
     /// For occlusion a tree finer than that of the nodes, as each branch's parent: every piece of a block and every
     /// bracket is a branch of its own, so that siblings within a rule see each other.
     branches: Vec<NodeId>,
+    /// How many operands are being derived inside each other.
+    inside: usize,
     begun: Instant,
 }
 
@@ -185,22 +189,25 @@ impl Current {
 
 impl Engine<'_> {
     fn run(&mut self) {
+        if let Err(Stop::Branch(diagnostic) | Stop::Lot(diagnostic)) = self.work() {
+            self.outcome.diagnostics.push(*diagnostic);
+        }
+        let found = std::mem::take(&mut self.outcome.diagnostics);
+        self.outcome.diagnostics = report::gathered(found);
+    }
+
+    /// Derives what waits, until nothing does.
+    fn work(&mut self) -> Result<(), Stop> {
         while let Some(task) = self.queue.pop() {
-            if let Err(stop) = self.within_limits(&task).and_then(|()| self.task(task)) {
-                match stop {
-                    Stop::Branch(diagnostic) => self.outcome.diagnostics.push(*diagnostic),
-                    Stop::Lot(diagnostic) => {
-                        self.outcome.diagnostics.push(*diagnostic);
-                        break;
-                    }
-                }
+            match self.within_limits(&task).and_then(|()| self.task(task)) {
+                Err(Stop::Branch(diagnostic)) => self.outcome.diagnostics.push(*diagnostic),
+                done => done?,
             }
             if self.progress.stopped() {
                 break;
             }
         }
-        let found = std::mem::take(&mut self.outcome.diagnostics);
-        self.outcome.diagnostics = report::gathered(found);
+        Ok(())
     }
 
     fn within_limits(&self, task: &Task) -> Result<(), Stop> {
