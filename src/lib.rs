@@ -49,6 +49,7 @@
 pub mod check;
 pub mod derive;
 pub mod diag;
+pub mod diff;
 pub mod element;
 pub mod export;
 pub mod functions;
@@ -65,6 +66,7 @@ pub mod shape;
 pub mod stats;
 pub mod syntax;
 pub mod text;
+pub mod trace;
 pub mod unit;
 pub mod value;
 pub mod world;

@@ -26,8 +26,10 @@ const FLOORS: &[(&str, u32)] = &[
     ("functions", 5),
     ("check", 6),
     ("stats", 6),
+    ("diff", 6),
     ("derive", 7),
     ("export", 7),
+    ("trace", 7),
     ("cli", 9),
     ("main", 9),
 ];

@@ -9,6 +9,7 @@ mod modules;
 mod names;
 mod program;
 mod reach;
+mod words;
 
 pub use program::{
     Alternative, Application, Attribute, Block, Body, Code, Cut, Function, Kind, Program, Rule, Selector, Step,
@@ -176,7 +177,8 @@ impl Checker {
                 self.body(&rule.body)
             }
         };
-        Rule { symbol, params: rule.params.as_ref().map_or(0, Vec::len), body, span: rule.name.span }
+        let (params, names) = (rule.params.as_ref().map_or(0, Vec::len), self.params.clone().into());
+        Rule { symbol, params, names, body, span: rule.name.span }
     }
 
     fn alternatives(&mut self, written: &Written) -> Body {

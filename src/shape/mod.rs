@@ -5,6 +5,7 @@ mod footprint;
 mod geometry;
 mod measure;
 mod occluders;
+mod record;
 mod scope;
 mod state;
 
@@ -13,5 +14,6 @@ pub use footprint::{Extent, Footprint, on_plan};
 pub use geometry::{Geometry, Grown, Placed, Plane};
 pub use measure::Measure;
 pub use occluders::{Occluder, Occluders, Relation};
+pub use record::{Deed, Event, Passage, Record};
 pub use scope::{Axis, Frame, Scope};
 pub use state::{Envelope, Ordinals, Place, Shape, Style};
