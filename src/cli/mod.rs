@@ -12,10 +12,13 @@ mod ops;
 mod outputs;
 mod place;
 mod points;
+mod prepare;
 mod progress;
 mod show;
 mod statistics;
 mod stats;
+mod tree;
+mod watch;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;

@@ -15,4 +15,6 @@ mod models;
 mod outputs;
 mod sandbox;
 mod stats;
+mod tree;
 mod versailles;
+mod watch;
