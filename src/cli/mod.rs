@@ -5,6 +5,8 @@
 mod check;
 mod derive;
 mod disk;
+mod explain;
+mod explained;
 mod job;
 mod limits;
 mod new;
@@ -35,6 +37,8 @@ struct Arguments {
 enum Command {
     /// Derive a layout by rules and write plans, plants, surfaces, schedules, reports
     Derive(Box<job::Arguments>),
+    /// Say why something is there: the rules, choices and numbers that made it
+    Explain(Box<explain::Arguments>),
     /// Check rule files without deriving
     Check(check::Arguments),
     /// The manual: every operation, function, ground cover and element
@@ -60,6 +64,7 @@ enum Ended {
 pub fn main() -> ExitCode {
     let ended = match Arguments::parse().command {
         Command::Derive(arguments) => derive::run(&arguments),
+        Command::Explain(arguments) => explain::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Ops(arguments) => ops::run(&arguments),
         Command::New(arguments) => new::run(&arguments),
