@@ -4,6 +4,8 @@
 
 mod check;
 mod derive;
+mod diff;
+mod differences;
 mod disk;
 mod explain;
 mod explained;
@@ -39,6 +41,8 @@ enum Command {
     Derive(Box<job::Arguments>),
     /// Say why something is there: the rules, choices and numbers that made it
     Explain(Box<explain::Arguments>),
+    /// Say what two runs, plantings or reports have different
+    Diff(Box<diff::Arguments>),
     /// Check rule files without deriving
     Check(check::Arguments),
     /// The manual: every operation, function, ground cover and element
@@ -54,6 +58,10 @@ enum Ended {
     Well,
     /// The input is wrong; what is wrong has been said.
     Wrong,
+    /// What was compared differs.
+    Different,
+    /// The input is wrong, where 1 means something else; what is wrong has been said.
+    Trouble,
     /// The arguments are wrong.
     Usage(String),
     /// Ctrl-C.
@@ -65,6 +73,7 @@ pub fn main() -> ExitCode {
     let ended = match Arguments::parse().command {
         Command::Derive(arguments) => derive::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),
+        Command::Diff(arguments) => diff::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Ops(arguments) => ops::run(&arguments),
         Command::New(arguments) => new::run(&arguments),
@@ -72,7 +81,8 @@ pub fn main() -> ExitCode {
     };
     match ended {
         Ended::Well => ExitCode::SUCCESS,
-        Ended::Wrong => ExitCode::from(1),
+        Ended::Wrong | Ended::Different => ExitCode::from(1),
+        Ended::Trouble => ExitCode::from(2),
         Ended::Usage(message) => {
             show::tell(format_args!("error: {message}"));
             ExitCode::from(2)

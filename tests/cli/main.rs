@@ -6,6 +6,7 @@ mod bench;
 mod check;
 mod coverage;
 mod derive;
+mod diff;
 mod errors;
 mod explain;
 mod hostile;
