@@ -144,8 +144,10 @@ fn written(bytes: &[u8], way: Option<&Georeference>) -> Result<Known, String> {
     }
     let bytes = json.as_ref().and_then(points).unwrap_or_else(|| bytes.to_vec());
     let own = own_way(&bytes, json.as_ref())?;
-    // In the plan of the other side where that is in the same system: ids or not, places can be compared then.
-    let way = way.filter(|way| way.crs == own.crs).cloned().unwrap_or(own);
+    // In the plan of the other side where that is in the same system, or may be: a table in metres does not say.
+    let metres = |way: &Georeference| way.crs != Crs::Wgs84;
+    let fits = |way: &&Georeference| way.crs == own.crs || (json.is_none() && metres(&own) && metres(way));
+    let way = way.filter(fits).cloned().unwrap_or(own);
     let plants = read_plants(&bytes, &way).map_err(|error| error.to_string())?;
     Ok((Side::of_plants(plants), way))
 }

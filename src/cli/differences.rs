@@ -1,9 +1,8 @@
 //! Differences as text: the plants of each lot, then areas, counts and totals.
 
-use bosquet::diff::{Difference, LotDifference, Pair, Stand};
+use bosquet::diff::{Difference, LotDifference, Pair, Pairs, Stand};
 use bosquet::text::{counted, number};
 use serde_json::{Value, json};
-use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// Plants of a lot that are named; further ones are counted.
@@ -22,6 +21,7 @@ pub fn text(difference: &Difference) -> String {
     }
     figures(&mut out, "species", &difference.species);
     figures(&mut out, "symbols", &difference.symbols);
+    figures(&mut out, "reports", &difference.reports);
     figures(&mut out, "totals", &difference.totals);
     out
 }
@@ -70,7 +70,7 @@ fn looks(stand: &Stand) -> String {
     format!("{}{class}, {} m", stand.species, number(stand.height, 2))
 }
 
-fn figures(out: &mut String, title: &str, pairs: &BTreeMap<String, Pair>) {
+fn figures(out: &mut String, title: &str, pairs: &Pairs) {
     if pairs.is_empty() {
         return;
     }

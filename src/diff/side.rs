@@ -10,28 +10,33 @@ use std::collections::BTreeMap;
 pub struct Side {
     /// The plants, positions in the plan that both sides share; none where only figures are known.
     pub plants: Option<Vec<Plant>>,
-    /// Areas of ground covers, m², by lot and material.
-    pub grounds: BTreeMap<String, BTreeMap<String, f64>>,
+    /// Areas of ground covers, m², by lot and material; under the empty lot where lots are not known.
+    pub grounds: Option<BTreeMap<String, Figures>>,
     /// Shapes by symbol.
-    pub symbols: BTreeMap<String, f64>,
+    pub symbols: Option<Figures>,
+    /// What rules reported, summed by key.
+    pub reports: Option<Figures>,
     /// Plants by species, by category where the species is not known.
-    pub species: BTreeMap<String, f64>,
+    pub species: Figures,
     /// Totals by name.
-    pub totals: BTreeMap<String, f64>,
+    pub totals: Figures,
 }
+
+/// Numbers by name.
+pub type Figures = BTreeMap<String, f64>;
 
 impl Side {
     /// A run.
     pub fn of_run(scene: &Scene, derivation: &Derivation) -> Side {
-        let mut side = Side::of_plants(scene.plants.clone());
+        let mut grounds: BTreeMap<String, Figures> = BTreeMap::new();
         for cover in &scene.covers {
-            let lot = side.grounds.entry(cover.origin.lot.to_string()).or_default();
+            let lot = grounds.entry(cover.origin.lot.to_string()).or_default();
             *lot.entry(cover.material.name.to_string()).or_default() += cover.area.area();
         }
+        let mut symbols = Figures::new();
         for node in derivation.lots.iter().flat_map(|lot| &lot.outcome.nodes) {
-            *side.symbols.entry(derivation.symbols[node.symbol as usize].to_string()).or_default() += 1.0;
+            *symbols.entry(derivation.symbols[node.symbol as usize].to_string()).or_default() += 1.0;
         }
-        let covers: f64 = side.grounds.values().flat_map(BTreeMap::values).sum();
         let counts = [
             ("lots", scene.lots.len()),
             ("covers", scene.covers.len()),
@@ -39,10 +44,10 @@ impl Side {
             ("lines", scene.lines.len()),
             ("objects", scene.objects.len()),
         ];
+        let mut side = Side::of_plants(scene.plants.clone());
         side.totals.extend(counts.map(|(name, count)| (name.into(), count as f64)));
-        side.totals.insert("area of covers".into(), covers);
-        side.totals.extend(scene.reports.iter().map(|report| (format!("report {}", report.key), report.sum)));
-        side
+        side.reports = Some(scene.reports.iter().map(|report| (report.key.to_string(), report.sum)).collect());
+        Side { grounds: Some(grounds), symbols: Some(symbols), ..side }
     }
 
     /// Written plants.
@@ -54,7 +59,7 @@ impl Side {
         }
         let crowns = plants.iter().map(|plant| std::f64::consts::PI * plant.crown_radius * plant.crown_radius).sum();
         side.totals.insert("plants".into(), plants.len() as f64);
-        side.totals.insert("area of crowns".into(), crowns);
+        side.totals.insert("crown_area".into(), crowns);
         side.plants = Some(plants);
         side
     }
@@ -62,21 +67,21 @@ impl Side {
     /// A report that a run wrote; none where the text is no such thing.
     pub fn of_report(report: &Value) -> Option<Side> {
         let summary = report.get("summary")?;
-        let figures = |value: Option<&Value>| -> BTreeMap<String, f64> {
-            let object = value.and_then(Value::as_object).into_iter().flatten();
-            object.filter_map(|(name, figure)| Some((name.clone(), figure.as_f64()?))).collect()
-        };
-        let mut totals = figures(Some(summary));
-        for reported in report.get("reports").and_then(Value::as_array).into_iter().flatten() {
-            let key = reported.get("key").and_then(Value::as_str)?;
-            totals.insert(format!("report {key}"), reported.get("sum").and_then(Value::as_f64).unwrap_or(0.0));
-        }
+        let reported = report.get("reports").and_then(Value::as_array).into_iter().flatten();
+        let sum = |one: &Value| Some((one.get("key")?.as_str()?.to_string(), one.get("sum")?.as_f64()?));
         Some(Side {
             plants: None,
-            grounds: BTreeMap::from([(String::new(), figures(summary.get("area_by_material")))]),
-            symbols: figures(report.get("counts_by_symbol")),
+            grounds: Some(BTreeMap::from([(String::new(), figures(summary.get("area_by_material")))])),
+            symbols: Some(figures(report.get("counts_by_symbol"))),
+            reports: Some(reported.filter_map(sum).collect()),
             species: figures(summary.get("plants_by_species")),
-            totals,
+            totals: figures(Some(summary)),
         })
     }
+}
+
+/// The numbers of an object.
+fn figures(value: Option<&Value>) -> Figures {
+    let object = value.and_then(Value::as_object).into_iter().flatten();
+    object.filter_map(|(name, figure)| Some((name.clone(), figure.as_f64()?))).collect()
 }

@@ -35,7 +35,7 @@ fn the_way_leads_from_the_start_rule_through_every_choice() {
     assert!(steps[1]["source"].as_str().expect("a line").starts_with("Inside(w) --> case w > 3"));
     assert_eq!(steps[2]["arguments"], serde_json::json!([["n", "10"]]));
     let deeds = deeds(raised);
-    assert!(deeds.contains(&"piece 2 of 2: `remainder`".to_string()), "{deeds:?}");
+    assert!(deeds.iter().any(|deed| deed.starts_with("piece ") && deed.ends_with(": `remainder`")), "{deeds:?}");
     assert!(deeds.contains(&"`w > 3` holds, with w = 5".to_string()), "{deeds:?}");
     assert!(deeds.iter().any(|deed| deed.starts_with("`extrude(") && deed.contains("10")), "{deeds:?}");
     assert_eq!(raised["attributes"]["wide"], "5", "the layout's value");
@@ -87,7 +87,8 @@ fn a_plant_of_the_table_is_found_by_its_id() {
     bench.bosquet("derive garden -o plants:p.csv").ends(0);
     let id = bench.text("p.csv").lines().nth(1).and_then(|row| row.split(',').nth(2)).expect("an id").to_string();
     let ran = bench.bosquet(&format!("explain garden --id {id}")).ends(0);
-    for words in [&*format!("plant {id}: birch (Betula pendula)"), "garden.cga:6: Tree --> case shady", "shady = false"] {
+    for words in [&*format!("plant {id}: birch (Betula pendula)"), "garden.cga:6: Tree --> case shady", "shady = false"]
+    {
         assert!(ran.out.contains(words), "{words}: {ran:#?}");
     }
     let part = bench.bosquet(&format!("explain garden --id {}", &id[..12])).ends(0);

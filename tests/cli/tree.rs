@@ -3,7 +3,8 @@
 use crate::bench::Bench;
 
 /// Rules with arguments, a set attribute and a leaf.
-const RULES: &str = "attr tall = 2\nLot --> split(x) { 5 : set(tall, 3) Bed(1) | ~1 : Lawn }\nBed(n) --> extrude(tall) B.\n";
+const RULES: &str =
+    "attr tall = 2\nLot --> split(x) { 5 : set(tall, 3) Bed(1) | ~1 : Lawn }\nBed(n) --> extrude(tall) B.\n";
 
 #[test]
 fn every_shape_says_where_it_is_and_what_it_was_given() {
