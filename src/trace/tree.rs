@@ -115,8 +115,9 @@ impl<'a> Tree<'a> {
         }
         self.line(depth, line);
         for at in first + usize::from(own.is_some())..last {
-            let words = shape_words(&self.leaves[at].shape);
-            self.line(depth + 1, format_args!("- {words}"));
+            let shape = &self.leaves[at].shape;
+            let seed = known.map(|_| format!(", seed {:016x}", shape.seed.0)).unwrap_or_default();
+            self.line(depth + 1, format_args!("- {}{seed}", shape_words(shape)));
         }
     }
 

@@ -102,7 +102,8 @@ fn where_nothing_lies_the_nearest_lot_is_named() {
     let bench = Bench::two_lots("Lot --> NIL");
     let explain = |at: &str| bench.bosquet(&format!("explain two.geojson --rules rules.cga --at {at}"));
     explain("18,18").ends(2).says(&["nothing lies at 18, 18 in lot `west`"]);
-    explain("10,-100").ends(2).says(&["the nearest lot", "100.0 m away"]);
+    // The street is six metres wide.
+    explain("10,-100").ends(2).says(&["the nearest lot, `street`, is 93.0 m away"]);
     explain("10").ends(2).says(&["12.5,40"]);
     bench.bosquet("explain two.geojson --rules rules.cga").ends(2).says(&["--at"]);
     bench.bosquet("explain two.geojson --rules rules.cga --id zzz").ends(2).says(&["nothing has the id `zzz`"]);
