@@ -7,7 +7,7 @@ mod place;
 mod polygons;
 
 use bosquet::check::{Program, check};
-use bosquet::derive::{Limits, Options, Progress, derive};
+use bosquet::derive::{Limits, Options, Progress, derive, recorded};
 use bosquet::diag::Diagnostic;
 use bosquet::element::Catalogue;
 use bosquet::geometry::{Area, Polygon};
@@ -146,6 +146,31 @@ fn threads_change_nothing() {
     assert!(one.lines().count() > 500, "the garden is not bare");
     assert_eq!(one, with(2));
     assert_eq!(one, with(7));
+}
+
+#[test]
+fn a_record_changes_nothing_and_lacks_nothing() {
+    let (program, layout) = (garden(), place::layout(city(6), Vec::new()));
+    let world = MemoryWorld::default();
+    let options = Options {
+        start: None,
+        seed: Seed(1),
+        set: Vec::new(),
+        catalogue: Catalogue::built_in(),
+        world: &world,
+        limits: Limits::default(),
+    };
+    let (plain, _) = derive(&program, &layout, &options, &Progress::default());
+    let (mut with, _) = recorded(&program, &layout, &options, &Progress::default(), &[0, 1, 2, 3, 4, 5]);
+    for outcome in with.lots.iter_mut().map(|lot| &mut lot.outcome) {
+        let record = outcome.record.take().expect("a record");
+        assert_eq!((record.shapes.len(), record.leaves.len()), (outcome.nodes.len(), outcome.leaves.len()));
+        let silent = record.shapes.iter().skip(1).filter(|passage| passage.trail.is_empty()).count();
+        assert!(silent < record.shapes.len() / 2, "most shapes come out of blocks: {silent}");
+    }
+    let options = TreeOptions::default();
+    assert_eq!(tree_text(&plain, &options), tree_text(&with, &options));
+    assert!(plain.lots.iter().all(|lot| lot.outcome.record.is_none()));
 }
 
 #[test]

@@ -59,7 +59,7 @@ pub struct Done {
 /// Why a run wrote nothing.
 pub enum Stop {
     /// The input or the arguments are wrong.
-    Unready(Box<Unready>),
+    Unready(Unready),
     /// The files cannot be written.
     Unwritten(String),
     /// Ctrl-C.
@@ -78,7 +78,7 @@ pub fn once(
     write_files: Write,
 ) -> Result<Done, Stop> {
     let basis = &job.basis;
-    let mut ready = Prepared::new(basis, world).map_err(|unready| Stop::Unready(Box::new(unready)))?;
+    let mut ready = Prepared::new(basis, world).map_err(Stop::Unready)?;
     let mut found = std::mem::take(&mut ready.found);
     let options = ready.options(basis, world, &arguments.run);
     let (program, layout) = (&ready.program, &ready.layout);
@@ -134,7 +134,7 @@ fn write(
     let material = Material { scene, report, plan: &job.plan };
     let mut files = Vec::new();
     for output in &job.outputs {
-        let bytes = output.bytes(&material).map_err(|message| Stop::Unready(Box::new(Unready::Usage(message))))?;
+        let bytes = output.bytes(&material).map_err(|message| Stop::Unready(Unready::Usage(message)))?;
         files.push((output.path.clone(), bytes));
         if progress.stopped() {
             return Err(Stop::Stopped);

@@ -32,7 +32,7 @@ pub enum Unready {
     /// The arguments are wrong.
     Usage(String),
     /// The input is: what is said about it, and the rules it points into.
-    Refused(Vec<Diagnostic>, Program),
+    Refused(Vec<Diagnostic>, Box<Program>),
 }
 
 /// Runs work on threads with as much stack as rules may need.
@@ -59,7 +59,7 @@ impl Prepared {
         let (program, mut found) = bosquet::check::check(world, &basis.rules);
         let is_broken = found.iter().any(Diagnostic::is_error);
         let layout = layout(basis, world, &mut found).filter(|_| !is_broken);
-        let Some(layout) = layout else { return Err(Unready::Refused(found, program)) };
+        let Some(layout) = layout else { return Err(Unready::Refused(found, Box::new(program))) };
         let catalogue = catalogue(basis, world, &mut found);
         let set = settings(&program, &basis.set).and_then(|set| start(basis, &program).map(|()| set));
         let set = set.map_err(Unready::Usage)?;
