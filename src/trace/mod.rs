@@ -4,6 +4,7 @@ mod chain;
 mod describe;
 mod place;
 mod tree;
+mod words;
 
 pub use chain::{Explanation, Happened, Neighbour, Step, explain};
 pub use describe::shape_words;

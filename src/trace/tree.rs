@@ -7,7 +7,7 @@ use crate::check::Program;
 use crate::shape::{Derivation, LeafOf, Lot, Node, Passage};
 use crate::text::counted;
 use crate::trace::shape_words;
-use crate::value::Value;
+use crate::trace::words::plain;
 use std::fmt::Write;
 
 /// How much of a tree is shown.
@@ -159,12 +159,4 @@ fn depths(nodes: &[Node]) -> Vec<usize> {
         depths.push(if parent < index { depths[parent] + 1 } else { 0 });
     }
     depths
-}
-
-/// A value, texts in quotes.
-fn plain(value: &Value) -> String {
-    match value {
-        Value::Text(text) => format!("{text:?}"),
-        other => other.to_string(),
-    }
 }
