@@ -49,6 +49,7 @@
 pub mod check;
 pub mod derive;
 pub mod diag;
+pub mod diff;
 pub mod element;
 pub mod export;
 pub mod files;
@@ -69,6 +70,7 @@ pub mod shelf;
 pub mod stats;
 pub mod syntax;
 pub mod text;
+pub mod trace;
 pub mod unit;
 pub mod value;
 pub mod world;

@@ -9,8 +9,6 @@
 mod place;
 #[path = "common/section.rs"]
 mod section;
-#[path = "common/tree.rs"]
-mod tree;
 
 use bosquet::check::{Program, check_style};
 use bosquet::derive::{Limits, Options, Progress, derive};
@@ -19,6 +17,7 @@ use bosquet::element::Catalogue;
 use bosquet::seed::Seed;
 use bosquet::shape::Derivation;
 use bosquet::text::number;
+use bosquet::trace::{TreeOptions, tree_text};
 use bosquet::value::Value;
 use bosquet::world::MemoryWorld;
 use section::{Note, Section};
@@ -198,7 +197,8 @@ fn compare(section: &Section, derivation: &Derivation) -> Vec<String> {
     let prints: Vec<String> = prints.collect();
     same("print", &section.prints().join(" | "), &prints.join(" | "));
     if section.stage == "tree" {
-        let (path, found) = (tests().join("ref").join(format!("{}.txt", section.name)), tree::tree_text(derivation));
+        let (path, found) =
+            (tests().join("ref").join(format!("{}.txt", section.name)), tree_text(derivation, &TreeOptions::default()));
         match updating() {
             true => std::fs::write(&path, &found).expect("writable references"),
             false => same("the tree", &std::fs::read_to_string(&path).unwrap_or_default(), &found),

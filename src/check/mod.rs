@@ -16,6 +16,7 @@ mod perimeter;
 mod program;
 mod reach;
 mod styles;
+mod words;
 
 pub use code::{Code, Kind, Measure};
 pub use program::{
@@ -192,7 +193,8 @@ impl Checker {
                 }
             }
         };
-        Rule { symbol, params: rule.params.as_ref().map_or(0, Vec::len), body, span: rule.name.span }
+        let (params, names) = (rule.params.as_ref().map_or(0, Vec::len), self.params.clone().into());
+        Rule { symbol, params, names, body, span: rule.name.span }
     }
 
     fn alternatives(&mut self, written: &Written) -> Body {

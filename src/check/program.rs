@@ -57,6 +57,8 @@ pub struct Rule {
     pub symbol: u32,
     /// How many parameters it has.
     pub params: usize,
+    /// The names of its parameters and locals; those of the last alternative in the papers' notation.
+    pub names: Box<[Arc<str>]>,
     /// What it makes of a shape.
     pub body: Body,
     /// Where its name is written.

@@ -2,7 +2,7 @@
 //! files written whole or not at all.
 
 use bosquet::world::{World, WorldError};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -14,12 +14,14 @@ pub struct Disk {
     most_bytes: u64,
     /// The hash of every file that was read.
     hashes: Mutex<BTreeMap<String, String>>,
+    /// Every file that was asked for, there or not.
+    asked: Mutex<BTreeSet<String>>,
 }
 
 impl Disk {
     /// No folder yet; files up to a size.
     pub fn new(most_bytes: u64) -> Disk {
-        Disk { folders: Vec::new(), is_open: false, most_bytes, hashes: Mutex::default() }
+        Disk { folders: Vec::new(), is_open: false, most_bytes, hashes: Mutex::default(), asked: Mutex::default() }
     }
 
     /// The same with what lies below one more folder; the empty path is the working directory.
@@ -36,12 +38,13 @@ impl Disk {
 
     /// A file that the user named, wherever it lies.
     pub fn named(&self, path: &str) -> Result<Arc<[u8]>, WorldError> {
+        self.asked.lock().unwrap_or_else(PoisonError::into_inner).insert(path.into());
         let data = std::fs::metadata(path).map_err(|error| unreadable(path, &error))?;
         if data.len() > self.most_bytes {
             return Err(WorldError::TooLarge { path: path.into(), bytes: data.len(), limit: self.most_bytes });
         }
         let bytes: Arc<[u8]> = std::fs::read(path).map_err(|error| unreadable(path, &error))?.into();
-        let hash = blake3::hash(&bytes).to_hex().to_string();
+        let hash = hash(&bytes);
         self.hashes.lock().unwrap_or_else(PoisonError::into_inner).insert(path.into(), hash);
         Ok(bytes)
     }
@@ -51,7 +54,15 @@ impl Disk {
         self.hashes.lock().unwrap_or_else(PoisonError::into_inner).clone().into_iter().collect()
     }
 
+    /// Every file that was asked for so far, with the hash of what was read; none where it could not be.
+    pub fn asked(&self) -> BTreeMap<String, Option<String>> {
+        let hashes = self.hashes.lock().unwrap_or_else(PoisonError::into_inner);
+        let asked = self.asked.lock().unwrap_or_else(PoisonError::into_inner);
+        asked.iter().map(|path| (path.clone(), hashes.get(path).cloned())).collect()
+    }
+
     fn read(&self, path: &str) -> Result<Arc<[u8]>, WorldError> {
+        self.asked.lock().unwrap_or_else(PoisonError::into_inner).insert(path.into());
         let real = Path::new(path).canonicalize().map_err(|error| unreadable(path, &error))?;
         if self.shows(&real) { self.named(path) } else { Err(WorldError::Outside(path.into())) }
     }
@@ -109,6 +120,11 @@ fn collect(folder: &Path, prefix: &str, files: &mut Vec<String>) -> std::io::Res
     Ok(())
 }
 
+/// The BLAKE3 hash in hexadecimal.
+pub fn hash(bytes: &[u8]) -> String {
+    blake3::hash(bytes).to_hex().to_string()
+}
+
 fn unreadable(path: &str, error: &std::io::Error) -> WorldError {
     match error.kind() {
         std::io::ErrorKind::NotFound => WorldError::Missing(path.into()),
@@ -116,10 +132,22 @@ fn unreadable(path: &str, error: &std::io::Error) -> WorldError {
     }
 }
 
-/// Writes all files, each beside its place first and then renamed into it: a failure leaves no half file.
-pub fn write_all(files: &[(PathBuf, Vec<u8>)]) -> Result<(), String> {
+/// Writes those of the files that differ from what lies in their place, as [`write_all`] does.
+pub fn write_changed(files: &[(PathBuf, Vec<u8>)]) -> Result<Vec<usize>, String> {
+    let is_new = |(path, bytes): &(PathBuf, Vec<u8>)| std::fs::read(path).map_or(true, |old| old != *bytes);
+    let changed: Vec<usize> = (0..files.len()).filter(|index| is_new(&files[*index])).collect();
+    write_some(&changed.iter().map(|index| &files[*index]).collect::<Vec<_>>()).map(|()| changed)
+}
+
+/// Writes all files, each beside its place first and then renamed into it: a failure leaves no half file. Gives the
+/// indices of what it wrote.
+pub fn write_all(files: &[(PathBuf, Vec<u8>)]) -> Result<Vec<usize>, String> {
+    write_some(&files.iter().collect::<Vec<_>>()).map(|()| (0..files.len()).collect())
+}
+
+fn write_some(files: &[&(PathBuf, Vec<u8>)]) -> Result<(), String> {
     let mut beside: Vec<(PathBuf, &PathBuf)> = Vec::new();
-    let written = files.iter().try_for_each(|(path, bytes)| {
+    let written = files.iter().try_for_each(|&(path, bytes)| {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let temporary = path.with_file_name(format!(".{name}.{}.part", std::process::id()));
         let failed = |error: std::io::Error| format!("`{}` cannot be written: {error}", path.display());

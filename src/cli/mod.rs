@@ -4,7 +4,11 @@
 
 mod check;
 mod derive;
+mod diff;
+mod differences;
 mod disk;
+mod explain;
+mod explained;
 mod job;
 mod limits;
 mod manual;
@@ -13,10 +17,13 @@ mod ops;
 mod outputs;
 mod place;
 mod points;
+mod prepare;
 mod progress;
 mod show;
 mod statistics;
 mod stats;
+mod tree;
+mod watch;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -33,6 +40,10 @@ struct Arguments {
 enum Command {
     /// Derive a layout by rules and write plans, plants, surfaces, schedules, reports
     Derive(Box<job::Arguments>),
+    /// Say why something is there: the rules, choices and numbers that made it
+    Explain(Box<explain::Arguments>),
+    /// Say what two runs, plantings or reports have different
+    Diff(Box<diff::Arguments>),
     /// Check rule files without deriving
     Check(check::Arguments),
     /// The manual: every operation, function, ground cover and element
@@ -50,6 +61,10 @@ enum Ended {
     Well,
     /// The input is wrong; what is wrong has been said.
     Wrong,
+    /// What was compared differs.
+    Different,
+    /// The input is wrong, where 1 means something else; what is wrong has been said.
+    Trouble,
     /// The arguments are wrong.
     Usage(String),
     /// Ctrl-C.
@@ -60,6 +75,8 @@ enum Ended {
 pub fn main() -> ExitCode {
     let ended = match Arguments::parse().command {
         Command::Derive(arguments) => derive::run(&arguments),
+        Command::Explain(arguments) => explain::run(&arguments),
+        Command::Diff(arguments) => diff::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Ops(arguments) => ops::run(&arguments),
         Command::Manual(arguments) => manual::run(&arguments),
@@ -68,7 +85,8 @@ pub fn main() -> ExitCode {
     };
     match ended {
         Ended::Well => ExitCode::SUCCESS,
-        Ended::Wrong => ExitCode::from(1),
+        Ended::Wrong | Ended::Different => ExitCode::from(1),
+        Ended::Trouble => ExitCode::from(2),
         Ended::Usage(message) => {
             show::tell(format_args!("error: {message}"));
             ExitCode::from(2)

@@ -62,6 +62,8 @@ struct Run<'a> {
     reaches: Option<&'a BoxGrid>,
     /// Every kind and layer of the layout and every label of the rules; none where labels are made up on the way.
     names: Option<&'a BTreeSet<Arc<str>>>,
+    /// The way to every shape is kept.
+    records: bool,
     progress: &'a Progress,
 }
 
@@ -111,6 +113,28 @@ pub fn derive(
     options: &Options,
     progress: &Progress,
 ) -> (Derivation, Vec<Diagnostic>) {
+    run(program, layout, options, progress, None)
+}
+
+/// Derives some regions, by index, exactly as [`derive`] does, and keeps the way to every shape: some 500 bytes each.
+pub fn recorded(
+    program: &Program,
+    layout: &Layout,
+    options: &Options,
+    progress: &Progress,
+    regions: &[usize],
+) -> (Derivation, Vec<Diagnostic>) {
+    run(program, layout, options, progress, Some(regions))
+}
+
+/// A run over all regions, or over some with their record.
+fn run(
+    program: &Program,
+    layout: &Layout,
+    options: &Options,
+    progress: &Progress,
+    recorded: Option<&[usize]>,
+) -> (Derivation, Vec<Diagnostic>) {
     let starts: Vec<Result<u32, StartError>> =
         layout.regions.iter().map(|region| start_of(program, region, options.start.as_deref())).collect();
     let mut diagnostics = start::report(program, layout, &starts);
@@ -122,13 +146,15 @@ pub fn derive(
     let labels: Option<BTreeSet<Arc<str>>> = program.labels.iter().cloned().collect();
     let names = labels.map(|labels| labels.into_iter().chain(initial::names(layout)).collect());
     let (reaches, names) = (reaches.as_ref(), names.as_ref());
-    let run = Run { program, layout, options, rasters: &rasters, files: &files, reaches, names, progress };
+    let records = recorded.is_some();
+    let run = Run { program, layout, options, rasters: &rasters, files: &files, reaches, names, records, progress };
     let contexts = context::contexts(&run, &rules);
     let lots: Vec<Lot> = layout
         .regions
         .par_iter()
         .zip(&rules)
         .enumerate()
+        .filter(|(index, _)| recorded.is_none_or(|regions| regions.contains(index)))
         .filter_map(|(index, (region, rule))| {
             let context = contexts.get(index).map_or(&[][..], Vec::as_slice);
             let outcome = engine::lot(&run, index, (*rule)?, context);

@@ -1,7 +1,7 @@
 //! Operations on the current shape: arguments in, pieces out, and what the lot remembers of them.
 
 use crate::check::{Application, Block, Code};
-use crate::derive::engine::{Current, Engine, Stop, Turn};
+use crate::derive::engine::{Current, Engine, Stop, Turn, record};
 use crate::derive::evaluate::{self, Failure};
 use crate::derive::frame::climb;
 use crate::derive::position::{self, Varied};
@@ -83,9 +83,18 @@ impl Engine<'_> {
             rasters: self.rasters,
             most: self.options.limits.children,
         };
+        let applied = self.recorder.is_some().then(|| record::applied(application, &values));
         let pieces = application.apply(&mut values, &mut current.shape, &given);
         let pieces = pieces.map_err(|p| self.problem(application, p, turn))?;
-        self.deliver(application, pieces, seed, turn, current)
+        let mark = self.mark();
+        let goes_on = matches!(pieces, Pieces::Changed);
+        self.happened(applied);
+        self.deliver(application, pieces, seed, turn, current)?;
+        // What an operation put beside the shape is not on the way of the shape itself.
+        if !goes_on {
+            self.release(mark);
+        }
+        Ok(())
     }
 
     /// Passes on what an operation made.
@@ -222,15 +231,19 @@ impl Engine<'_> {
             let message = format!("the lot has more shapes than the limit `shapes` of {}", self.options.limits.shapes);
             return Err(Stop::Lot(Box::new(self.diagnostic("limit", application.span, message, turn.node))));
         }
+        let total = parts.len();
         for (index, part) in parts.into_iter().enumerate() {
             let mut shape = part.shape;
             shape.seed = seed.child(index as u64);
             let Some(body) = application.bodies.get(part.entry as usize) else { continue };
             let current = Current::new(shape, self.branch(branch));
+            let mark = self.mark();
+            self.took(application, part.entry, index, total, turn);
             match self.body(body, turn, current) {
                 Err(Stop::Branch(diagnostic)) => self.outcome.diagnostics.push(*diagnostic),
                 other => other?,
             }
+            self.release(mark);
         }
         Ok(())
     }
@@ -269,6 +282,7 @@ impl Engine<'_> {
         if self.program.asks_for_solids && self.stays(&shape) && shape.is_closed() {
             self.intra.add(Occluder { label: None, layer: None, node: Some(branch), footprint: shape.footprint() });
         }
+        self.built();
         self.outcome.leaves.push(LeafOf { node, shape });
     }
 }

@@ -20,28 +20,34 @@ impl Engine<'_> {
                 Ok(())
             }
             Body::Case(arms, otherwise, span) => {
-                for (test, body) in arms {
+                for (number, (test, body)) in arms.iter().enumerate() {
                     if self
                         .frame(turn, current)
                         .with(|n, a| evaluate::truth(test, n, a, *span))
                         .map_err(|f| self.failed(f, turn))?
                     {
+                        self.chose(&arms[..number], Some((test, body)), *span, turn, current);
                         return self.steps(body, turn, current);
                     }
                 }
+                self.chose(arms, None, *span, turn, current);
                 self.steps(otherwise, turn, current)
             }
             Body::Chance(arms, otherwise, span) => {
-                let mut left = current.random().uniform(0.0, 100.0);
+                let drawn = current.random().uniform(0.0, 100.0);
+                let mut left = drawn;
                 for (percent, body) in arms {
+                    let before = left;
                     left -= self
                         .frame(turn, current)
                         .with(|n, a| evaluate::number(percent, n, a, *span))
                         .map_err(|f| self.failed(f, turn))?;
                     if left < 0.0 {
+                        self.drew(drawn, (drawn - before, drawn - left), 100.0, body.span().unwrap_or(*span));
                         return self.steps(body, turn, current);
                     }
                 }
+                self.drew(drawn, (drawn - left, 100.0), 100.0, otherwise.span().unwrap_or(*span));
                 self.steps(otherwise, turn, current)
             }
             Body::With(locals, body) => {
@@ -63,7 +69,7 @@ impl Engine<'_> {
         turn: &Turn,
         current: &mut Current,
     ) -> Result<Option<&'p Body>, Stop> {
-        let mut open: SmallVec<[(&Body, Option<f64>); 4]> = SmallVec::new();
+        let mut open: SmallVec<[(&Alternative, Option<f64>); 4]> = SmallVec::new();
         for alternative in alternatives {
             let span = alternative.span;
             let mut frame = self.frame(turn, current);
@@ -74,18 +80,25 @@ impl Engine<'_> {
                     .probability
                     .as_ref()
                     .map(|p| self.frame(turn, current).with(|n, a| evaluate::number(p, n, a, span)));
-                open.push((&alternative.body, weight.transpose().map_err(|f| self.failed(f, turn))?));
+                open.push((alternative, weight.transpose().map_err(|f| self.failed(f, turn))?));
             }
         }
         if open.iter().all(|(_, weight)| weight.is_none()) {
-            return Ok(open.first().map(|(body, _)| *body));
+            let first = open.first().map(|(alternative, _)| *alternative);
+            self.followed(alternatives, first, turn, current);
+            return Ok(first.map(|alternative| &alternative.body));
         }
         // What has no probability of its own shares what the others leave of 1.
         let given: f64 = open.iter().filter_map(|(_, weight)| *weight).sum();
         let silent = open.iter().filter(|(_, weight)| weight.is_none()).count().max(1) as f64;
         let rest = (1.0 - given).max(0.0) / silent;
         let weights: SmallVec<[f64; 4]> = open.iter().map(|(_, weight)| weight.unwrap_or(rest)).collect();
-        Ok(current.random().choose(&weights).map(|index| open[index].0))
+        let before = self.recorder.is_some().then(|| current.random().clone());
+        let Some(index) = current.random().choose(&weights) else { return Ok(None) };
+        let chosen = open[index].0;
+        self.followed(alternatives, Some(chosen), turn, current);
+        self.weighed(before, &weights, index, chosen.span);
+        Ok(Some(&chosen.body))
     }
 
     fn step(&mut self, step: &Step, turn: &Turn, current: &mut Current) -> Result<(), Stop> {
@@ -106,10 +119,12 @@ impl Engine<'_> {
         current.count += 1;
         let before = std::mem::discriminant(&shape.geometry);
         let mut inner = Current::new(shape, self.branch(current.branch));
+        let mark = self.mark();
         match self.steps(body, turn, &mut inner) {
             Err(Stop::Branch(diagnostic)) => {
                 self.outcome.diagnostics.push(*diagnostic);
                 current.used = true;
+                self.release(mark);
                 return Ok(());
             }
             other => other?,
@@ -122,6 +137,7 @@ impl Engine<'_> {
             None if built => self.leaf(turn.node, inner.branch, inner.shape),
             None => {}
         }
+        self.release(mark);
         Ok(())
     }
 
@@ -162,6 +178,7 @@ impl Engine<'_> {
         if let Some(attributes) = attributes {
             shape.attributes = attributes;
         }
+        self.queued(turn.node);
         self.queue.push(Task { shape, parent: turn.node, branch, symbol, rule, args, depth: turn.depth + 1 });
     }
 }

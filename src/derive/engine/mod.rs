@@ -8,10 +8,12 @@ mod apply;
 mod body;
 mod fresh;
 mod inside;
+mod record;
 mod report;
 
 use crate::check::{Body, Program};
 use crate::derive::beginning::Beginning;
+use crate::derive::engine::record::Recorder;
 use crate::derive::evaluate::{self, Names};
 use crate::derive::frame::Frame;
 use crate::derive::{Options, Progress, Run};
@@ -66,6 +68,7 @@ pub(super) fn lot(run: &Run, index: usize, rule: u32, context: &[(usize, Value)]
         branches: vec![NodeId(0)],
         inside: 0,
         begun: Instant::now(),
+        recorder: run.records.then(Box::default),
     };
     for failure in failures {
         let diagnostic = Diagnostic::error("value", failure.span, failure.message);
@@ -74,6 +77,7 @@ pub(super) fn lot(run: &Run, index: usize, rule: u32, context: &[(usize, Value)]
     let (args, rule) = (Args::default(), Some(rule));
     engine.queue.push(Task { shape, parent: NodeId(0), branch: NodeId(0), symbol, rule, args, depth: 0 });
     engine.run();
+    engine.outcome.record = engine.recorder.map(|recorder| Box::new(recorder.record));
     engine.outcome
 }
 
@@ -128,6 +132,8 @@ struct Engine<'a> {
     /// How many operands are being derived inside each other.
     inside: usize,
     begun: Instant,
+    /// The way to every shape, where it is asked for.
+    recorder: Option<Box<Recorder>>,
 }
 
 /// A rule at work on a node.
@@ -231,6 +237,7 @@ impl Engine<'_> {
         let node = NodeId(self.outcome.nodes.len() as u32);
         let parent = if node.0 == 0 { node } else { task.parent };
         self.outcome.nodes.push(Node { parent, symbol: task.symbol, rule: task.rule });
+        self.arrived(&task);
         let branch = self.branch(task.branch);
         let Some(rule) = task.rule else {
             self.leaf(node, branch, task.shape);
@@ -242,6 +249,7 @@ impl Engine<'_> {
         self.tell(task.symbol);
         if done.is_err() {
             self.queue.truncate(waiting);
+            self.dropped(node);
         }
         // The first successor is the next to be derived.
         self.queue[waiting..].reverse();
