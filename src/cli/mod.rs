@@ -5,6 +5,7 @@
 mod check;
 mod derive;
 mod disk;
+mod fmt;
 mod job;
 mod limits;
 mod manual;
@@ -35,6 +36,8 @@ enum Command {
     Derive(Box<job::Arguments>),
     /// Check rule files without deriving
     Check(check::Arguments),
+    /// Lay rule files out evenly
+    Fmt(fmt::Arguments),
     /// The manual: every operation, function, ground cover and element
     Ops(ops::Arguments),
     /// Write the manual: a page an operation, with a plan of its example
@@ -61,6 +64,7 @@ pub fn main() -> ExitCode {
     let ended = match Arguments::parse().command {
         Command::Derive(arguments) => derive::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
+        Command::Fmt(arguments) => fmt::run(&arguments),
         Command::Ops(arguments) => ops::run(&arguments),
         Command::Manual(arguments) => manual::run(&arguments),
         Command::New(arguments) => new::run(&arguments),

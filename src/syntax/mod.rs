@@ -9,12 +9,14 @@ pub mod ast;
 mod build;
 mod depth;
 mod explain;
+mod format;
 mod grammar;
 mod outline;
 mod paper;
 mod source;
 mod token;
 
+pub use format::format;
 pub use source::Source;
 
 use crate::diag::{Diagnostic, Span};

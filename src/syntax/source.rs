@@ -61,6 +61,17 @@ impl Source {
         offset - excess + self.skipped
     }
 
+    /// Another text as bytes, the way this file is written: with its byte-order mark, and in Windows-1252 if it is.
+    ///
+    /// What Windows-1252 has no byte for, which cannot come from this file, becomes `?`.
+    pub fn encoded(&self, text: &str) -> Vec<u8> {
+        let mark = if self.skipped > 0 { "\u{feff}".as_bytes() } else { &[] };
+        match self.foreign {
+            None => [mark, text.as_bytes()].concat(),
+            Some(_) => mark.iter().copied().chain(text.chars().map(byte_1252)).collect(),
+        }
+    }
+
     /// Line and column of a byte of the text, both from 1, the column in characters; past the end, the end.
     ///
     /// Cost: logarithmic in the lines and linear in the column.
@@ -99,12 +110,22 @@ fn windows_1252(bytes: &[u8], valid: usize) -> (String, Vec<(u32, u32)>, Option<
     (text, excess, foreign)
 }
 
-/// The character of a Windows-1252 byte; the five unassigned bytes give the control characters of Latin-1.
+/// The characters of the Windows-1252 bytes from 0x80 on; the five unassigned ones give the control characters of Latin-1.
+const FROM_80: [char; 32] = [
+    '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}', '\u{90}', '‘', '’',
+    '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
+];
+
+/// The byte that [`character_1252`] gives the character for.
+fn byte_1252(character: char) -> u8 {
+    match FROM_80.iter().position(|c| *c == character) {
+        Some(index) => 0x80 + index as u8,
+        None => u8::try_from(u32::from(character)).unwrap_or(b'?'),
+    }
+}
+
+/// The character of a Windows-1252 byte.
 fn character_1252(byte: u8) -> char {
-    const FROM_80: [char; 32] = [
-        '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}', '\u{90}', '‘',
-        '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
-    ];
     match byte {
         0x80..=0x9f => FROM_80[usize::from(byte - 0x80)],
         other => char::from(other),
