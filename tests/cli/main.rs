@@ -7,6 +7,7 @@ mod check;
 mod coverage;
 mod derive;
 mod errors;
+mod fmt;
 mod hostile;
 mod layouts;
 mod limits;

@@ -37,7 +37,8 @@ impl Gap<'_> {
 
     /// Whether the comments need a line end among them.
     pub fn breaks(&self) -> bool {
-        let breaks = |at: usize| self.comments[at].lines > 0 || self.breaks_after(at) || self.comments[at].text.contains('\n');
+        let breaks =
+            |at: usize| self.comments[at].lines > 0 || self.breaks_after(at) || self.comments[at].text.contains('\n');
         (0..self.comments.len()).any(breaks)
     }
 
@@ -62,7 +63,8 @@ pub(super) fn before_bar(gaps: &mut [Gap], bar: usize) {
         return;
     }
     let before = &mut gaps[bar];
-    let lines = std::mem::replace(&mut before.lines, before.lines.max(behind.lines));
+    let lines = before.lines;
+    before.lines = lines.max(behind.lines);
     if let Some(first) = behind.comments.first() {
         let first = Comment { lines: first.lines.max(lines), ..*first };
         before.comments.push(first);

@@ -1,9 +1,9 @@
 //! Where lines break. Each part stands in one line if it fits and its author had it so; else its shape decides.
 
+use super::INDENT;
 use super::align::Class;
 use super::structure::{Part, Shape};
 use super::writer::{Break, Writer};
-use super::INDENT;
 use crate::syntax::outline::{Piece, PieceKind};
 use crate::syntax::token::Kind;
 

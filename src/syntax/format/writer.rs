@@ -120,7 +120,9 @@ impl<'t> Writer<'t> {
                     self.begin_paragraph();
                 }
             }
-            None if (self.blanks[self.at] || after_comment && !self.sticks(self.at)) && self.column > 0 => self.push(" "),
+            None if (self.blanks[self.at] || after_comment && !self.sticks(self.at)) && self.column > 0 => {
+                self.push(" ")
+            }
             None => {}
         }
         let token = self.tokens[self.at];
