@@ -112,10 +112,8 @@ impl Rules<'_> {
     }
 
     fn paper_rule(&mut self) {
-        // An id is one at the start of a line alone.
-        self.out.push_str("\nr1");
-        self.word(":");
-        self.rule_name();
+        // An id is one at the start of a line alone, and so is a name that is none.
+        self.out.push_str("\nr1 : Lot");
         if self.chance() {
             self.word(":");
             self.expression();

@@ -141,7 +141,8 @@ impl<'t> Writer<'t> {
         let mut in_body = true;
         for index in 0..self.gaps[self.at].comments.len() {
             let comment = self.gaps[self.at].comments[index];
-            if comment.lines > 0 || self.out.is_empty() {
+            let is_own = comment.lines > 0 || self.out.is_empty();
+            if is_own {
                 let to = self.pending.unwrap_or(self.hanging());
                 in_body &= to.is_outer && comment.column > self.column_of_next();
                 self.end_line(if in_body { INDENT } else { to.comments }, comment.lines);
@@ -158,7 +159,7 @@ impl<'t> Writer<'t> {
             let shares = !self.gaps[self.at].breaks_after(index);
             match shares {
                 false => self.pending = self.pending.or(Some(self.hanging())),
-                true if comment.lines > 0 && index + 1 == self.gaps[self.at].comments.len() => self.pending = None,
+                true if is_own && index + 1 == self.gaps[self.at].comments.len() => self.pending = None,
                 true => {}
             }
         }
@@ -260,7 +261,8 @@ impl<'t> Writer<'t> {
 
     /// One past the brackets and commas that follow without a blank of their own.
     fn closed(&self, end: usize) -> usize {
-        (end..).find(|at| !self.sticks(*at) || self.must_break(*at)).unwrap_or(end)
+        let ends = |at: &usize| !self.sticks(*at) || !self.gaps[*at].comments.is_empty();
+        (end..).find(ends).unwrap_or(end)
     }
 
     /// Whether the token is a closing bracket or a comma.
