@@ -97,6 +97,26 @@ fn line_ends_and_encodings_stay() {
     assert_eq!(source.encoded(&text), b"\xef\xbb\xbf// caf\xe9 \x93x\x94\nA --> B\n");
 }
 
+/// What old files hold parses, and what is odd about it is a lint.
+#[test]
+fn old_files_are_read_with_lints() {
+    let table: [(&[u8], &str); 6] = [
+        (b"// caf\xe9\nLot --> A.", "is not UTF-8"),
+        (b"Lot\0 --> A.\0", "NUL bytes"),
+        (b"Lot -->\r\n A.\r\n", ""),
+        (b"\xef\xbb\xbfLot --> A.", ""),
+        (b"@Decription(\"x\")\nLot --> A. B.", "`@Decription`"),
+        (b"@Range(0 1)\nLot --> A.", "a `,` is missing"),
+    ];
+    for (bytes, says) in table {
+        let (file, reports) = parse(0, &Source::new("x.cga", bytes));
+        assert_eq!(file.items.len(), 1, "{reports:?}");
+        assert!(!reports.iter().any(Diagnostic::is_error), "{reports:?}");
+        assert_eq!(reports.len(), usize::from(!says.is_empty()), "{reports:?}");
+        assert!(reports.iter().all(|report| report.message.contains(says)), "{reports:?}");
+    }
+}
+
 #[test]
 fn broken_files_are_refused_with_their_reports() {
     let source = Source::new("x.cga", b"A --> B\nLot --> split(x){ 1 : A\nC --> D");

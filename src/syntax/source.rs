@@ -20,6 +20,8 @@ pub struct Source {
     lines: Vec<u32>,
     /// The first character that was not UTF-8.
     foreign: Option<Foreign>,
+    /// Where the first NUL byte was, which reads as a blank.
+    nul: Option<u32>,
 }
 
 /// A character that made a file be read as Windows-1252.
@@ -38,9 +40,11 @@ impl Source {
             Ok(text) => (text.to_owned(), Vec::new(), None),
             Err(error) => windows_1252(body, error.valid_up_to()),
         };
+        let nul = text.find('\0').map(|at| at as u32);
+        let text = if nul.is_some() { text.replace('\0', " ") } else { text };
         let ends = text.bytes().enumerate().filter(|(_, b)| *b == b'\n').map(|(i, _)| i as u32 + 1);
         let lines = std::iter::once(0).chain(ends).collect();
-        Source { path: path.to_owned(), text, skipped, excess, lines, foreign }
+        Source { path: path.to_owned(), text, skipped, excess, lines, foreign, nul }
     }
 
     /// The path as it was asked for.
@@ -80,6 +84,14 @@ impl Source {
         let line = self.lines.partition_point(|start| *start as usize <= offset);
         let start = self.lines[line - 1] as usize;
         (line, self.text[start..offset].chars().count() + 1)
+    }
+
+    /// That there are NUL bytes in the file.
+    pub(super) fn lint_nul(&self, file: u16) -> Option<Diagnostic> {
+        let at = self.nul?;
+        let message = format!("`{}` holds NUL bytes, which are read as blanks", self.path);
+        let lint = Diagnostic::lint("syntax-encoding", Span { file, start: at, end: at + 1 }, message);
+        Some(lint.hint("the file may be UTF-16 or damaged: save it as UTF-8"))
     }
 
     /// What is to be said about how the file is written: that it is not UTF-8.
