@@ -138,7 +138,7 @@ impl<'t> Writer<'t> {
 
     /// Writes the comments before the next token; tells whether the last shares its line.
     fn comments(&mut self) -> bool {
-        let mut in_body = true;
+        let mut in_body = self.at > 0;
         for index in 0..self.gaps[self.at].comments.len() {
             let comment = self.gaps[self.at].comments[index];
             let is_own = comment.lines > 0 || self.out.is_empty();
