@@ -41,15 +41,11 @@ impl Checker {
     fn inline(&mut self, mode: &[Arg], target: &[Op], span: Span) -> Option<Step> {
         let operation = ops::find("inline")?;
         let (args, arg_spans) = self.arguments(operation.spec, mode, span);
+        let ready = Application::ready(operation, &args);
         let (args, arg_spans) = (args.into(), arg_spans.into());
         let body = Body::Steps(target.iter().filter_map(|op| self.step(op)).collect());
         let (block, bodies) = (Block::Operands, [body].into());
-        Some(Step::Apply(Box::new(Application { operation, args, arg_spans, block, bodies, span })))
-    }
-
-    fn unbuilt_step(&mut self, span: Span, what: &str) -> Option<Step> {
-        self.not_yet(span, what);
-        None
+        Some(Step::Apply(Box::new(Application { operation, ready, args, arg_spans, block, bodies, span })))
     }
 
     /// An operation, a rule or a leaf: CityEngine's operations first, then the file's rules, then ours, then leaves.

@@ -1,7 +1,8 @@
 //! The two blocks of `splitAndSetbackPerimeter`: `{ length : depth : A | … }*{ remainder : B }`.
 
 use crate::check::Checker;
-use crate::check::program::{Block, Body, Code, Cut};
+use crate::check::code::Code;
+use crate::check::program::{Block, Body, Cut};
 use crate::diag::Diagnostic;
 use crate::ops::Spec;
 use crate::syntax::ast;

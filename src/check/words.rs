@@ -48,6 +48,7 @@ impl Body {
                 _ => None,
             }),
             Body::Case(.., span) | Body::Chance(.., span) => Some(*span),
+            Body::With(_, body) => body.span(),
             Body::Alternatives(alternatives) => alternatives.first().map(|alternative| alternative.span),
         }
     }

@@ -7,8 +7,12 @@ mod derive;
 mod diff;
 mod differences;
 mod disk;
+<<<<<<< HEAD
 mod explain;
 mod explained;
+=======
+mod fmt;
+>>>>>>> text
 mod job;
 mod limits;
 mod manual;
@@ -46,6 +50,8 @@ enum Command {
     Diff(Box<diff::Arguments>),
     /// Check rule files without deriving
     Check(check::Arguments),
+    /// Lay rule files out evenly
+    Fmt(fmt::Arguments),
     /// The manual: every operation, function, ground cover and element
     Ops(ops::Arguments),
     /// Write the manual: a page an operation, with a plan of its example
@@ -78,6 +84,7 @@ pub fn main() -> ExitCode {
         Command::Explain(arguments) => explain::run(&arguments),
         Command::Diff(arguments) => diff::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
+        Command::Fmt(arguments) => fmt::run(&arguments),
         Command::Ops(arguments) => ops::run(&arguments),
         Command::Manual(arguments) => manual::run(&arguments),
         Command::New(arguments) => new::run(&arguments),

@@ -4,7 +4,8 @@
 //! under the word of their kind. A query sees what stands at its moment, in the order of the text: what is to be found
 //! has to be labelled before.
 
-use crate::functions::{Function, Surroundings, text_at};
+use crate::functions::args::text_at;
+use crate::functions::{Function, Surroundings};
 use crate::shape::{Footprint, Occluder};
 use crate::value::Value;
 

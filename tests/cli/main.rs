@@ -8,7 +8,11 @@ mod coverage;
 mod derive;
 mod diff;
 mod errors;
+<<<<<<< HEAD
 mod explain;
+=======
+mod fmt;
+>>>>>>> text
 mod hostile;
 mod layouts;
 mod limits;

@@ -143,6 +143,10 @@ impl Engine<'_> {
         let body = application.bodies.get(usize::from(entry)).and_then(Body::span);
         let span = body.unwrap_or(application.span);
         match &application.block {
+            Block::Perimeter { cuts, .. } => match piece(cuts, entry) {
+                Some((size, span)) => (self.program.words(size, names), span),
+                None => ("remainder".into(), span),
+            },
             Block::Cuts(cuts) => match piece(cuts, entry) {
                 Some((size, span)) => (self.program.words(size, names), span),
                 None => (String::new(), span),
@@ -155,7 +159,7 @@ impl Engine<'_> {
                 });
                 (words.unwrap_or_default(), span)
             }
-            Block::None | Block::Body => (String::new(), span),
+            Block::None | Block::Body | Block::Operands => (String::new(), span),
         }
     }
 
