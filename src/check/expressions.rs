@@ -51,13 +51,6 @@ impl Checker {
         }
     }
 
-    /// Says that something is parsed and not evaluated yet.
-    pub(super) fn not_yet(&mut self, span: Span, what: &str) -> (Code, Kind) {
-        let verb = if what.ends_with('s') { "are" } else { "is" };
-        self.tell(Diagnostic::error("unbuilt", span, format!("{what} {verb} parsed, but not evaluated yet")));
-        (Code::Value(Value::Float(0.0)), Kind::Unknown)
-    }
-
     fn expect_truth(&mut self, kind: Kind, span: Span) {
         if !matches!(kind, Kind::Truth | Kind::Unknown) {
             let message = format!("a condition must be true or false, found {}", words(kind));

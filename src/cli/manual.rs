@@ -24,7 +24,7 @@ pub fn run(arguments: &Arguments) -> Ended {
     };
     let written = folders(&arguments.folder, &chapters).and_then(|()| write_all(&files(&arguments.folder, chapters)));
     match written {
-        Ok(()) => {
+        Ok(_) => {
             show::tell(format_args!("wrote {}", arguments.folder.join("README.md").display()));
             Ended::Well
         }

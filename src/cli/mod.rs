@@ -7,12 +7,9 @@ mod derive;
 mod diff;
 mod differences;
 mod disk;
-<<<<<<< HEAD
 mod explain;
 mod explained;
-=======
 mod fmt;
->>>>>>> text
 mod job;
 mod limits;
 mod manual;

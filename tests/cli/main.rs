@@ -8,11 +8,8 @@ mod coverage;
 mod derive;
 mod diff;
 mod errors;
-<<<<<<< HEAD
 mod explain;
-=======
 mod fmt;
->>>>>>> text
 mod hostile;
 mod layouts;
 mod limits;
