@@ -111,7 +111,7 @@ fn read(arguments: &Arguments, path: &Path) -> Result<Vec<u8>, String> {
 /// Puts new bytes in the place of a file, whole or not at all; of what a link leads to, if it is one.
 fn replace(path: &Path, bytes: Vec<u8>) -> Result<(), ()> {
     let place = path.canonicalize().unwrap_or(path.to_owned());
-    write_all(&[(place, bytes)]).map_err(|message| show::tell(format_args!("error: {message}")))
+    write_all(&[(place, bytes)]).map(drop).map_err(|message| show::tell(format_args!("error: {message}")))
 }
 
 fn is_stream(path: &Path) -> bool {
