@@ -83,6 +83,7 @@ impl World for Disk {
     }
 
     fn exists(&self, path: &str) -> bool {
+        self.asked.lock().unwrap_or_else(PoisonError::into_inner).insert(path.into());
         Path::new(path).canonicalize().is_ok_and(|real| real.is_file() && self.shows(&real))
     }
 

@@ -22,7 +22,8 @@ pub fn run(arguments: &Arguments) -> Ended {
             return Ended::Wrong;
         }
     };
-    let written = folders(&arguments.folder, &chapters).and_then(|()| write_all(&files(&arguments.folder, chapters)));
+    let written =
+        folders(&arguments.folder, &chapters).and_then(|()| write_all(&files(&arguments.folder, chapters)).map(drop));
     match written {
         Ok(_) => {
             show::tell(format_args!("wrote {}", arguments.folder.join("README.md").display()));
