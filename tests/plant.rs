@@ -309,6 +309,8 @@ fn planted(arguments: &[(&str, Value)], radius: f64, seed: u64) -> Shape {
     let world = MemoryWorld::default();
     let given = Given {
         cuts: &[],
+        depths: &[],
+        operands: &[],
         chosen: &[],
         seed: Seed(seed),
         lot: Seed(7),

@@ -27,12 +27,19 @@ fn cases(count: u32) -> ProptestConfig {
 fn outcome(rules: &str, polygon: &Polygon) -> Outcome {
     let (program, diagnostics) = check(&MemoryWorld::default().with("main.cga", rules), "main.cga");
     assert!(!diagnostics.iter().any(Diagnostic::is_error), "{rules}: {diagnostics:?}");
-    let layout = place::layout(vec![place::region("lot", polygon.clone())], Vec::new());
+    let statements: Vec<String> = polygon.rings().zip(["polygon", "hole", "hole", "hole"]).map(statement).collect();
+    let layout = place::parse(&statements.iter().map(String::as_str).collect::<Vec<_>>()).expect("a layout");
     let (world, limits) = (MemoryWorld::default(), Limits { children: 2_000, ..Limits::default() });
     let catalogue = Catalogue::built_in();
     let options = Options { start: None, seed: Seed(3), set: Vec::new(), catalogue, world: &world, limits };
     let (mut derivation, _) = derive(&program, &layout, &options, &Progress::default());
     derivation.lots.remove(0).outcome
+}
+
+/// A ring as the words of a layout.
+fn statement((ring, word): (&[DVec2], &str)) -> String {
+    let corners: String = ring.iter().map(|p| format!(" {},{}", p.x, p.y)).collect();
+    format!("{word}{corners}")
 }
 
 fn area_of(leaf: &LeafOf) -> f64 {
@@ -48,7 +55,8 @@ fn on_plan(leaf: &LeafOf) -> Area {
 }
 
 fn any_polygon() -> impl Strategy<Value = Polygon> {
-    prop_oneof![polygons::polygon(), polygons::convex()]
+    let anywhere = polygons::area().prop_map(|area| area.polygons()[0].clone());
+    prop_oneof![polygons::polygon(), polygons::convex(), anywhere]
 }
 
 /// Every way to take a flat shape apart.
