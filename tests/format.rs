@@ -28,7 +28,8 @@ fn rule_files(folder: &Path) -> Vec<PathBuf> {
 /// The rule files of a file of the suite: each begins behind a head.
 fn sections(path: &Path) -> Vec<String> {
     let text = std::fs::read_to_string(path).expect("a readable file");
-    let (mut files, is_head) = (Vec::new(), |line: &str| line.starts_with("// --- ") || line.starts_with("// File: "));
+    let (mut files, is_head) =
+        (Vec::<String>::new(), |line: &str| line.starts_with("// --- ") || line.starts_with("// File: "));
     for line in text.lines() {
         match files.last_mut() {
             Some(file) if !is_head(line) => file.push_str(&format!("{line}\n")),
