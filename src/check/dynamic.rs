@@ -1,7 +1,7 @@
 //! Dynamic imports: `import(name = value).Rule` calls a rule with the import's attributes found anew.
 
 use crate::check::code::{Code, Kind};
-use crate::check::program::{Fresh, Renewed, Step};
+use crate::check::program::{Fresh, Renewed, Step, Successor};
 use crate::check::{Checker, modules, order};
 use crate::diag::Diagnostic;
 use crate::syntax::ast::{Call, ItemKind, Name, Override};
@@ -23,7 +23,7 @@ impl Checker {
         let fresh = self.fresh(inner, overrides);
         match self.successor(&call, Some(rule)) {
             Step::Successor(successor) => {
-                Some(Step::Successor(crate::check::Successor { fresh: Some(Box::new(fresh)), ..successor }))
+                Some(Step::Successor(Successor { fresh: Some(Box::new(fresh)), ..successor }))
             }
             other => Some(other),
         }

@@ -82,7 +82,8 @@ pub(super) fn each(
 
 /// `-a`.
 #[inline(never)]
-pub(super) fn negated(value: &Value, span: Span) -> Result<Value, Failure> {
+pub(super) fn negated(inner: &Code, span: Span, names: &Names, around: &mut Surroundings) -> Result<Value, Failure> {
+    let value = evaluate(inner, names, around)?;
     let act = |value: Value| match value.as_float() {
         Some(number) => Ok(Value::Float(-number)),
         None => Err(format!("a number is wanted, found {} `{value}`", value.type_name())),
@@ -92,7 +93,8 @@ pub(super) fn negated(value: &Value, span: Span) -> Result<Value, Failure> {
 
 /// `!a`, `.!a`.
 #[inline(never)]
-pub(super) fn inverted(value: &Value, span: Span) -> Result<Value, Failure> {
+pub(super) fn inverted(inner: &Code, span: Span, names: &Names, around: &mut Surroundings) -> Result<Value, Failure> {
+    let value = evaluate(inner, names, around)?;
     let act = |value: Value| match value.as_bool() {
         Some(truth) => Ok(Value::Bool(!truth)),
         None => Err(format!("a condition must be true or false, found {} `{value}`", value.type_name())),
