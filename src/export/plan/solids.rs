@@ -67,8 +67,8 @@ fn draw(solid: &Solid, sheet: &Sheet) -> Option<Item> {
 pub fn body(ground: &Ground, material: &Material, mesh: Option<&Mesh>, sheet: &Sheet) -> Vec<Item> {
     let mut items = vec![Shape::filled(Path::area(ground.area), ground.fill).into()];
     match mesh {
-        Some(mesh) if has_roof(material) => items.extend(faces(mesh, ground.line, true, sheet)),
-        Some(mesh) if is_faceted(mesh) => items.extend(faces(mesh, ground.line, false, sheet)),
+        Some(mesh) if has_roof(material) => items.extend(faces(mesh, ground, true, sheet)),
+        Some(mesh) if is_faceted(mesh) => items.extend(faces(mesh, ground, false, sheet)),
         None if has_roof(material) => items.extend(roofs(ground)),
         _ => items.extend(texture::draw(material.texture, ground)),
     }
@@ -97,31 +97,35 @@ fn edges(area: &Area, ink: Ink) -> Vec<Item> {
     vec![Shape::drawn(Path::area(area), ink, 0.12).into(), Shape::drawn(heavy, ink, 0.24).into()]
 }
 
-/// The upward faces of a modelled solid, lowest first, each as bright as it faces the light; ridges and hips are where
-/// they meet. Roofs have tiles.
-fn faces(mesh: &Mesh, line: Ink, tiled: bool, sheet: &Sheet) -> Vec<Item> {
-    let on_paper = |p: DVec3| sheet.frame.point(DVec2::new(p.x, -p.z));
-    let mut upward: Vec<(f64, Vec<Item>)> = Vec::new();
-    for face in mesh.faces() {
-        let normal = face.area_vector().normalize_or_zero();
-        if normal.y < 0.05 {
-            continue;
-        }
-        let rings: Vec<Vec<DVec2>> = face.rings().map(|ring| face.positions(ring).map(on_paper).collect()).collect();
-        let mut path = Path::default();
-        rings.iter().for_each(|ring| path.add_line(ring, true));
-        let slope = (on_paper(DVec3::new(normal.x, 0.0, normal.z)) - on_paper(DVec3::ZERO)).normalize_or_zero();
-        let steep = libm::hypot(normal.x, normal.z);
-        let mut items = vec![Shape::filled(path.clone(), shade(slope * steep * 1.3)).into()];
-        if tiled && steep > LEVEL {
-            items.push(Shape::drawn(tiles(&rings, slope).coarse(), line.faded(0.35), 0.06).into());
-        }
-        items.push(Shape::drawn(path, line.faded(0.8), 0.12).into());
-        let top = face.positions(face.outline()).map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
-        upward.push((top, items));
-    }
+/// The upward faces of a modelled solid, lowest first: each hides what lies below it, such as walls under their eaves.
+fn faces(mesh: &Mesh, ground: &Ground, tiled: bool, sheet: &Sheet) -> Vec<Item> {
+    let mut upward: Vec<(f64, Vec<Item>)> =
+        mesh.faces().filter_map(|face| facet(&face, ground, tiled, sheet)).collect();
     upward.sort_by(|a, b| a.0.total_cmp(&b.0));
     upward.into_iter().flat_map(|(_, items)| items).collect()
+}
+
+/// A face that looks up and the height of its top: as bright as it faces the light, its rim drawn, so that ridges and
+/// hips show where faces meet. Roofs have tiles.
+fn facet(face: &Face, ground: &Ground, tiled: bool, sheet: &Sheet) -> Option<(f64, Vec<Item>)> {
+    let normal = face.normal();
+    if normal.y < 0.05 {
+        return None;
+    }
+    let on_paper = |p: DVec3| sheet.frame.point(DVec2::new(p.x, -p.z));
+    let rings: Vec<Vec<DVec2>> = face.rings().map(|ring| face.positions(ring).map(on_paper).collect()).collect();
+    let mut path = Path::default();
+    rings.iter().for_each(|ring| path.add_line(ring, true));
+    let slope = (on_paper(DVec3::new(normal.x, 0.0, normal.z)) - on_paper(DVec3::ZERO)).normalize_or_zero();
+    let steep = libm::hypot(normal.x, normal.z);
+    let lit = Shape::filled(path.clone(), shade(slope * steep * 1.3));
+    let mut items: Vec<Item> = vec![Shape::filled(path.clone(), ground.fill).into(), lit.into()];
+    if tiled && steep > LEVEL {
+        items.push(Shape::drawn(tiles(&rings, slope).coarse(), ground.line.faded(0.35), 0.06).into());
+    }
+    items.push(Shape::drawn(path, ground.line.faded(0.8), 0.12).into());
+    let top = face.positions(face.outline()).map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
+    Some((top, items))
 }
 
 /// Courses of tiles as lines down the slope.

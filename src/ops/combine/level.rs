@@ -90,6 +90,7 @@ impl Levels {
             (false, true) if keep == Keep::Common => other.flat(self, keep)?,
             (false, true) if keep == Keep::First || other.levels.is_empty() => self.layered(&Levels::none(), keep),
             (false, false) => self.layered(other, keep),
+            (true, false) if self.levels.is_empty() => self.layered(other, keep),
             _ => return None,
         };
         Some(Levels { plane: self.plane.clone(), levels })
