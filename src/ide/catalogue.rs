@@ -26,7 +26,13 @@ pub(super) fn describe(catalogue: &Catalogue, word: &str) -> Option<String> {
 fn cover_page(cover: &Cover) -> String {
     let material = &cover.material;
     let names = listed("also", cover.names.iter().map(|name| &**name));
-    format!("**{}**, a ground cover: `{}`, {}, {}{names}", material.label, material.name, color_text(material.fill), material.texture.word())
+    format!(
+        "**{}**, a ground cover: `{}`, {}, {}{names}",
+        material.label,
+        material.name,
+        color_text(material.fill),
+        material.texture.word()
+    )
 }
 
 fn entry_page(entry: &Entry) -> String {
@@ -62,7 +68,8 @@ fn listed<'a>(before: &str, words: impl Iterator<Item = &'a str>) -> String {
 
 /// Every cover.
 pub(super) fn covers(catalogue: &Catalogue) -> Vec<Known> {
-    let known = |cover: &Cover| Known { word: cover.material.name.to_string(), detail: cover.material.label.to_string() };
+    let known =
+        |cover: &Cover| Known { word: cover.material.name.to_string(), detail: cover.material.label.to_string() };
     catalogue.covers().map(known).collect()
 }
 

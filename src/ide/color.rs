@@ -56,7 +56,8 @@ impl Desk<'_> {
     fn leaf_color(&self, document: &Document, token: usize) -> Option<[f32; 4]> {
         let name = document.name_at(token).filter(|name| name.role == Role::Step)?;
         let word = document.word(token);
-        let is_leaf = crate::ops::find(word).is_none() && self.segments(document, &name).iter().all(|s| s.identity.is_none());
+        let is_leaf =
+            crate::ops::find(word).is_none() && self.segments(document, &name).iter().all(|s| s.identity.is_none());
         Some(self.catalogue.cover(word).filter(|_| is_leaf)?.material.fill)
     }
 }

@@ -4,10 +4,12 @@
 //! that do not begin with what is written. Which lists are asked is decided here, [`crate::ide::suggest`] makes them.
 
 use crate::ide::Desk;
-use crate::ide::context::Context;
+use crate::ide::context::{Callee, Context};
 use crate::ide::document::Document;
 use crate::ide::imports::path_token;
+use crate::ide::snippet;
 use crate::ide::walk::Mode;
+use crate::ops::{self, BlockKind};
 use crate::syntax::PieceKind;
 use std::ops::Range;
 
@@ -60,7 +62,8 @@ impl Desk<'_> {
     pub fn completions(&self, path: &str, offset: usize) -> Vec<Completion> {
         let Some(document) = self.document(path) else { return Vec::new() };
         let Some(context) = Context::of(&document, offset) else { return Vec::new() };
-        let mut found = List { items: Vec::new(), replaces: context.word.clone(), is_called: is_called(&document, offset) };
+        let mut found =
+            List { items: Vec::new(), replaces: context.word.clone(), is_called: is_called(&document, offset) };
         match context.text {
             Some(token) => self.in_text(&document, &context, token, &mut found),
             None if context.is_annotation(&document) => found.annotations(),
@@ -92,6 +95,10 @@ impl Desk<'_> {
             }
             self.words(document, context, spec, param, false, found);
         }
+        let owner = context.call().and_then(|call| call.owner);
+        if let Some(Callee::Import(path)) = owner.and_then(|owner| self.callee(document, owner)) {
+            self.settable(document, Some(path), found);
+        }
         self.locals(document, context, found);
         self.expressions(document, found);
     }
@@ -99,9 +106,9 @@ impl Desk<'_> {
     /// The head of a block's entry.
     fn keys(&self, document: &Document, context: &Context, found: &mut List) {
         let owner = context.frames.last().and_then(|frame| frame.owner);
-        match owner.and_then(|owner| crate::ops::find(document.word(owner))).map(|operation| operation.spec.block) {
-            Some(crate::ops::BlockKind::Selectors(extra)) => found.selectors(extra),
-            Some(crate::ops::BlockKind::Cuts) => {}
+        match owner.and_then(|owner| ops::find(document.word(owner))).map(|operation| operation.spec.block) {
+            Some(BlockKind::Selectors(extra)) => found.selectors(extra),
+            Some(BlockKind::Cuts) => {}
             _ => found.selectors(&[]),
         }
         self.locals(document, context, found);
@@ -138,14 +145,14 @@ pub(super) struct List {
 impl List {
     /// Adds one.
     pub fn add(&mut self, kind: CompletionKind, label: &str, detail: impl Into<String>, docs: String, insert: String) {
-        let insert = if self.is_called { crate::ide::snippet::literal(label) } else { insert };
+        let insert = if self.is_called { snippet::literal(label) } else { insert };
         let (label, detail, replaces) = (label.to_string(), detail.into(), self.replaces.clone());
         self.items.push(Completion { label, kind, detail, docs, insert, replaces });
     }
 
     /// Adds one that is inserted as it is shown.
     pub fn plain(&mut self, kind: CompletionKind, label: &str, detail: impl Into<String>) {
-        self.add(kind, label, detail, String::new(), crate::ide::snippet::literal(label));
+        self.add(kind, label, detail, String::new(), snippet::literal(label));
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::functions::{self, Function};
 use crate::ide::Desk;
 use crate::ide::document::Document;
-use crate::ide::identity::{Identity, Segment};
+use crate::ide::identity::{Class, Identity, Segment};
 use crate::ide::walk::{Frame, Mode, Role, Walk};
 use crate::ops::{self, Param, Spec};
 use crate::syntax::{PieceKind, TokenKind};
@@ -50,7 +50,9 @@ impl Context {
         };
         let before = after.checked_sub(1);
         let gap = before.map_or(0, |before| document.range(before).end);
-        if literal.is_none() && (in_comment(&text[gap.min(start)..start]) || text[start..].starts_with(|c: char| c.is_ascii_digit())) {
+        if literal.is_none()
+            && (in_comment(&text[gap.min(start)..start]) || text[start..].starts_with(|c: char| c.is_ascii_digit()))
+        {
             return None;
         }
         let piece = literal.or(before).map(|token| document.piece_of(token));
@@ -89,7 +91,7 @@ impl Desk<'_> {
         let word = document.word(owner);
         let own = self.segments(document, &name).pop().and_then(|segment: Segment| segment.identity);
         match (own, name.role) {
-            (Some(Identity::Defined { class: crate::ide::identity::Class::Import, .. }), _) => {
+            (Some(Identity::Defined { class: Class::Import, .. }), _) => {
                 self.imported(document, word).map(Callee::Import)
             }
             (Some(identity), _) => Some(Callee::Own(identity)),

@@ -164,7 +164,8 @@ impl Document {
         let notes = self.pieces[..name.piece].iter().rev().take_while(is_note).count();
         let annotations = name.piece - notes..name.piece;
         let start = self.pieces[annotations.start].bytes.start as usize;
-        let opens = self.kind(name.token + 1) == Some(TokenKind::Open) && matches!(sort, Sort::Rule | Sort::Function | Sort::Attribute | Sort::Constant);
+        let opens = self.kind(name.token + 1) == Some(TokenKind::Open)
+            && matches!(sort, Sort::Rule | Sort::Function | Sort::Attribute | Sort::Constant);
         Definition {
             name: self.word(name.token).to_string(),
             sort,
@@ -177,7 +178,8 @@ impl Document {
     }
 
     fn add_param(&self, found: &mut [Definition], name: &NameUse) {
-        let owner = found.last_mut().filter(|definition| definition.piece == name.piece && definition.sort != Sort::Import);
+        let owner =
+            found.last_mut().filter(|definition| definition.piece == name.piece && definition.sort != Sort::Import);
         if let Some(params) = owner.and_then(|definition| definition.params.as_mut()) {
             params.push(self.word(name.token).to_string());
         }

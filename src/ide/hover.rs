@@ -4,6 +4,7 @@ use crate::functions;
 use crate::ide::catalogue;
 use crate::ide::document::{Document, NameUse};
 use crate::ide::identity::Identity;
+use crate::ide::imports::{imported_path, path_token};
 use crate::ide::page;
 use crate::ide::walk::Role;
 use crate::ide::{Desk, Place};
@@ -36,11 +37,12 @@ impl Desk<'_> {
     /// A text may be the path of an import, or a word of the catalogue.
     fn text_page(&self, document: &Document, token: usize) -> Option<String> {
         let import = document.definition_of(document.piece_of(token));
-        let path = import.filter(|import| crate::ide::imports::path_token(document, import) == Some(token));
+        let path = import.filter(|import| path_token(document, import) == Some(token));
         match path {
             Some(import) => {
-                let path = crate::ide::imports::imported_path(document, import)?;
-                let names: Vec<String> = self.document(&path)?.definitions().iter().map(|d| format!("`{}`", d.name)).collect();
+                let path = imported_path(document, import)?;
+                let names: Vec<String> =
+                    self.document(&path)?.definitions().iter().map(|d| format!("`{}`", d.name)).collect();
                 Some(format!("`{path}`: {}", names.join(", ")))
             }
             None => catalogue::describe(self.catalogue, document.text_of(token)),
@@ -114,7 +116,8 @@ impl Desk<'_> {
 
     /// Where the picture of an operation's example lies, if it is there.
     pub(super) fn picture(&self, name: &str) -> Option<String> {
-        let path = format!("{}/{name}.png", self.pictures?);
-        self.world.asset(&path).is_ok().then_some(path)
+        let pictures = self.pictures?;
+        let is_there = self.world.asset(&format!("{}/{name}.png", pictures.folder)).is_ok();
+        is_there.then(|| format!("{}/{name}.png", pictures.address))
     }
 }

@@ -3,9 +3,9 @@
 //! An attribute of the importing file with the name of an imported one *is* that attribute, unless the import's
 //! parentheses hold it back; so whoever renames one has to rename the other.
 
+use crate::ide::Desk;
 use crate::ide::document::{Definition, Document, Sort};
 use crate::ide::walk::Role;
-use crate::ide::Desk;
 use crate::syntax::TokenKind;
 use crate::world::join;
 use std::collections::BTreeSet;

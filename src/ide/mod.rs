@@ -48,9 +48,17 @@ pub struct Desk<'a> {
     catalogue: &'a Catalogue,
     /// The rule files there are, as far as the editor knows: those in which a name may be used.
     files: &'a [String],
-    /// The folder with the manual's pictures, `NAME.png`.
-    pictures: Option<&'a str>,
+    pictures: Option<Pictures<'a>>,
     documents: RefCell<BTreeMap<String, Option<Rc<Document>>>>,
+}
+
+/// Where the manual's pictures lie, one for each operation: `NAME.png`.
+#[derive(Clone, Copy, Debug)]
+pub struct Pictures<'a> {
+    /// Their folder, as the world calls it.
+    pub folder: &'a str,
+    /// The same as the editor calls it, in front of a name.
+    pub address: &'a str,
 }
 
 /// A stretch of a file, in bytes of its text.
@@ -75,9 +83,9 @@ impl<'a> Desk<'a> {
         Desk { files, ..self }
     }
 
-    /// The same, with the folder of the manual's pictures.
-    pub fn with_pictures(self, folder: Option<&'a str>) -> Desk<'a> {
-        Desk { pictures: folder, ..self }
+    /// The same, with the manual's pictures.
+    pub fn with_pictures(self, pictures: Option<Pictures<'a>>) -> Desk<'a> {
+        Desk { pictures, ..self }
     }
 
     /// The file at a path of the world or of the library; `None` where there is none.

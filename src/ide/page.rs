@@ -96,7 +96,10 @@ pub(super) fn written(document: &Document, definition: &Definition) -> String {
 pub(super) fn head(document: &Document, definition: &Definition) -> String {
     let piece = &document.pieces[definition.piece];
     let is_sign = |token: &usize| {
-        matches!(document.kind(*token), Some(TokenKind::Arrow | TokenKind::Squiggle | TokenKind::Bent | TokenKind::Equal))
+        matches!(
+            document.kind(*token),
+            Some(TokenKind::Arrow | TokenKind::Squiggle | TokenKind::Bent | TokenKind::Equal)
+        )
     };
     let end = piece.tokens.clone().find(is_sign).map_or(piece.bytes.end as usize, |sign| document.range(sign).end);
     let words: Vec<&str> = document.text()[piece.bytes.start as usize..end].split_whitespace().collect();

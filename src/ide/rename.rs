@@ -1,8 +1,9 @@
 //! A new name for a rule, attribute, function, parameter, import or style, in every file that uses it; or why not.
 
 use crate::functions;
-use crate::ide::document::Document;
+use crate::ide::document::{Document, NameUse};
 use crate::ide::identity::{Class, Identity, is_taken};
+use crate::ide::walk::Role;
 use crate::ide::{Desk, Place};
 use crate::library;
 use crate::ops::{self, Selectors};
@@ -94,10 +95,10 @@ fn defined_clash(document: &Document, class: Class, new: &str) -> Option<String>
     if let Some(taken) = document.definitions().iter().find(|d| Class::of(d.sort) == class && d.name == new) {
         return Some(format!("`{file}` has {} `{new}` already", article(taken.sort.word())));
     }
-    let used = |name: &&crate::ide::document::NameUse| document.word(name.token) == new;
+    let used = |name: &&NameUse| document.word(name.token) == new;
     let mine = |role| match class {
-        Class::Rule => matches!(role, crate::ide::walk::Role::Step),
-        Class::Value => !matches!(role, crate::ide::walk::Role::Step | crate::ide::walk::Role::Argument(_)),
+        Class::Rule => matches!(role, Role::Step),
+        Class::Value => !matches!(role, Role::Step | Role::Argument(_)),
         Class::Import | Class::Style => false,
     };
     match class {
@@ -114,7 +115,7 @@ fn defined_clash(document: &Document, class: Class, new: &str) -> Option<String>
 /// What a parameter of that name would meet in its definition.
 fn local_clash(document: &Document, piece: usize, new: &str) -> Option<String> {
     let mut own = document.names.iter().filter(|name| name.piece == piece);
-    let met = own.any(|name| document.word(name.token) == new && name.role != crate::ide::walk::Role::Step);
+    let met = own.any(|name| document.word(name.token) == new && name.role != Role::Step);
     met.then(|| format!("the definition uses the word `{new}` already"))
 }
 

@@ -66,7 +66,8 @@ impl List {
 
     fn known(&mut self, known: Vec<Known>, quoted: bool) {
         for Known { word, detail } in known {
-            let bare = word.chars().all(|c| c.is_alphanumeric() || c == '_') && !word.starts_with(|c: char| c.is_numeric());
+            let bare =
+                word.chars().all(|c| c.is_alphanumeric() || c == '_') && !word.starts_with(|c: char| c.is_numeric());
             if quoted || bare {
                 self.plain(CompletionKind::Element, &word, detail);
             }
@@ -152,6 +153,11 @@ impl Desk<'_> {
     pub(super) fn names_of_import(&self, document: &Document, context: &Context, found: &mut List) {
         let import = context.piece.and_then(|piece| document.definition_of(piece));
         let path = import.and_then(|import| imported_path(document, import));
+        self.settable(document, path, found);
+    }
+
+    /// The attributes and rules of an imported file, under their own names.
+    pub(super) fn settable(&self, document: &Document, path: Option<String>, found: &mut List) {
         let Some(inner) = path.and_then(|path| self.document(&path)) else { return };
         let offered = inner.definitions().iter().filter(|d| matches!(d.sort, Sort::Rule | Sort::Attribute));
         offered.for_each(|definition| found.definition(&inner, definition, "", document.path()));
@@ -171,7 +177,9 @@ impl Desk<'_> {
             words.iter().for_each(|word| found.plain(CompletionKind::Word, word, format!("`{}`", param.name)));
         }
         if param.kind == ParamKind::Truth {
-            ["true", "false"].iter().for_each(|word| found.plain(CompletionKind::Word, word, format!("`{}`", param.name)));
+            ["true", "false"]
+                .iter()
+                .for_each(|word| found.plain(CompletionKind::Word, word, format!("`{}`", param.name)));
         }
         let first = context.call().and_then(|call| call.owner).map(|owner| argument_text(document, owner));
         match (spec.name, param.name) {
@@ -208,7 +216,10 @@ impl Desk<'_> {
         let given = document.names.iter().filter(|n| n.role == Role::Step && document.word(n.token) == "label");
         let mut words: BTreeSet<String> = given.map(|n| argument_text(document, n.token)).collect();
         words.extend(["building", "driveway", "footway", "street", "water", "pool", "tree"].map(String::from));
-        words.iter().filter(|word| !word.is_empty()).for_each(|word| found.plain(CompletionKind::Word, word, "label or kind"));
+        words
+            .iter()
+            .filter(|word| !word.is_empty())
+            .for_each(|word| found.plain(CompletionKind::Word, word, "label or kind"));
     }
 
     /// The rule files that an import can name: the library's, and those the editor knows, seen from this one.
@@ -237,7 +248,7 @@ fn is_of_species(function: &Function) -> bool {
 /// A cover as the name of a leaf: `crushed-tile` gives `CrushedTile`.
 fn leaf_name(word: &str) -> String {
     let parts = word.split(|c: char| !c.is_alphanumeric()).filter(|part| !part.is_empty());
-    parts.map(|part| part[..1].to_uppercase() + &part[1..]).collect()
+    parts.flat_map(|part| part.chars().take(1).flat_map(char::to_uppercase).chain(part.chars().skip(1))).collect()
 }
 
 /// A path as it is written in a file of another folder.

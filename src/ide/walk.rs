@@ -122,7 +122,8 @@ impl<'d> Walk<'d> {
     /// From the beginning of a piece to a token, which is left out. Cost: linear, but quadratic in how deep blocks nest.
     pub fn until(document: &'d Document, piece: usize, end: usize) -> Walk<'d> {
         let part = &document.pieces[piece];
-        let mut walk = Walk { document, piece, frames: Vec::new(), roles: Vec::new(), kind: part.kind, is_named: false };
+        let mut walk =
+            Walk { document, piece, frames: Vec::new(), roles: Vec::new(), kind: part.kind, is_named: false };
         walk.kind = walk.likely_kind();
         let mode = if walk.kind == PieceKind::Stray { Mode::Nothing } else { Mode::Head };
         walk.frames.push(Frame::new(mode, None, None));
@@ -220,8 +221,7 @@ impl<'d> Walk<'d> {
     /// Whether `%:` follows the name and its parentheses.
     fn is_percentage(&self, token: usize) -> bool {
         let after = self.document.past_group(token + 1).unwrap_or(token + 1);
-        self.document.kind(after) == Some(TokenKind::Percent)
-            && self.document.kind(after + 1) == Some(TokenKind::Colon)
+        self.document.kind(after) == Some(TokenKind::Percent) && self.document.kind(after + 1) == Some(TokenKind::Colon)
     }
 
     /// The import of `import(…).Name`.
@@ -253,7 +253,8 @@ impl<'d> Walk<'d> {
         };
         let word = self.document.word(token);
         let known = Selectors::of_word(word).is_some() || extra.contains(&word) || word == "remainder";
-        let alone = !matches!(self.document.kind(token + 1), Some(TokenKind::Open | TokenKind::Sign | TokenKind::Logic));
+        let alone =
+            !matches!(self.document.kind(token + 1), Some(TokenKind::Open | TokenKind::Sign | TokenKind::Logic));
         if known && alone { Role::Selector } else { Role::Value }
     }
 
@@ -270,7 +271,9 @@ impl<'d> Walk<'d> {
         let frame = match (byte, self.top().mode) {
             (_, Mode::Head) => Frame::new(self.head_bracket(token), Some(token), before),
             (_, Mode::Given) => Frame::new(Mode::Params, Some(token), before),
-            (_, mode @ (Mode::Nothing | Mode::Notes | Mode::Styles | Mode::Params)) => Frame::new(mode, Some(token), None),
+            (_, mode @ (Mode::Nothing | Mode::Notes | Mode::Styles | Mode::Params)) => {
+                Frame::new(mode, Some(token), None)
+            }
             (Some(b'{'), mode) => self.block_at(token, mode),
             (Some(b'['), Mode::Steps) => Frame::new(Mode::Steps, Some(token), None),
             (Some(b'('), _) if before.is_some() => {
