@@ -67,7 +67,8 @@ fn every_place_is_offered_what_can_stand_there() {
 
 #[test]
 fn comments_and_numbers_are_offered_nothing() {
-    for text in ["// Lot ‸", "Lot --> A # ‸", "/* ‸ */ Lot --> A", "/* ‸", "Lot --> split(x) { 3‸", "attr a = 2.‸"] {
+    for text in ["// Lot ‸", "Lot --> A # ‸", "/* ‸ */ Lot --> A", "/* ‸", "Lot --> split(x) { 3‸", "attr a = 2.‸"]
+    {
         assert_eq!(offered(text), Vec::<String>::new(), "{text:?}");
     }
 }
@@ -106,10 +107,19 @@ fn uses(marked: &[(&str, &str)]) {
 #[test]
 fn names_are_told_apart() {
     uses(&[("a.cga", "attr ‹w› = 1\nf(w) = w\nLot --> extrude(‹w›) w(‹w›)\nB(w) --> extrude(w)\nw(x) --> Lawn\n")]);
-    uses(&[("a.cga", "attr w = 1\nf(w) = w\nLot --> extrude(w) ‹w›(w)\nB(w) --> [ ‹w›(2) ]\n‹w›(x) --> Lawn\n‹w› --> Lawn")]);
-    uses(&[("a.cga", "attr w = 1\nB(‹w›) --> case ‹w› > 1 : extrude(‹w›) A else : ‹w›% : C else : D\nC --> t(w, 0, 0) E")]);
+    uses(&[(
+        "a.cga",
+        "attr w = 1\nf(w) = w\nLot --> extrude(w) ‹w›(w)\nB(w) --> [ ‹w›(2) ]\n‹w›(x) --> Lawn\n‹w› --> Lawn",
+    )]);
+    uses(&[(
+        "a.cga",
+        "attr w = 1\nB(‹w›) --> case ‹w› > 1 : extrude(‹w›) A else : ‹w›% : C else : D\nC --> t(w, 0, 0) E",
+    )]);
     uses(&[("a.cga", "Lot --> boundary(width = 4) { ‹width› }\n‹width› --> Lawn\nattr width = 3")]);
-    uses(&[("a.cga", "Lot --> comp(f) { front : ‹front› | top = ‹front› | 0 : ‹front› }\n‹front› --> Lawn\nattr top = 1")]);
+    uses(&[(
+        "a.cga",
+        "Lot --> comp(f) { front : ‹front› | top = ‹front› | 0 : ‹front› }\n‹front› --> Lawn\nattr top = 1",
+    )]);
     uses(&[("a.cga", "1: ‹Lot› ~> Subdiv(x, 1r, 2r) { A | ‹Lot› }\n2: ‹Lot› : w > 3 ~> A : 0.5\nattr w = 1")]);
 }
 
@@ -120,8 +130,14 @@ fn names_are_followed_through_imports() {
     let b = "attr ‹gap› = 3\nRow --> split(x) { ~‹gap› : Tree }*\n";
     uses(&[("a.cga", "import b : \"b.cga\"\nattr ‹gap› = 5\nLot --> t(b.‹gap›, ‹gap›, 0) b.Row\n"), ("b.cga", b)]);
     uses(&[("a.cga", "import b : \"b.cga\" (‹gap› = gap)\nattr gap = 5\nLot --> t(b.‹gap›, gap, 0)\n"), ("b.cga", b)]);
-    uses(&[("a.cga", "import b : \"b.cga\" ()\nattr gap = 5\nLot --> b(‹gap› = gap).Row t(gap, 0, 0)\n"), ("b.cga", b)]);
-    uses(&[("a.cga", "import ‹b› : \"b.cga\"\nb --> ‹b›.Row ‹b›(gap = 1).Row\n"), ("b.cga", "attr gap = 3\nRow --> Lawn")]);
+    uses(&[
+        ("a.cga", "import b : \"b.cga\" ()\nattr gap = 5\nLot --> b(‹gap› = gap).Row t(gap, 0, 0)\n"),
+        ("b.cga", b),
+    ]);
+    uses(&[
+        ("a.cga", "import ‹b› : \"b.cga\"\nb --> ‹b›.Row ‹b›(gap = 1).Row\n"),
+        ("b.cga", "attr gap = 3\nRow --> Lawn"),
+    ]);
 }
 
 #[test]

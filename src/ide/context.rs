@@ -50,9 +50,9 @@ impl Context {
         };
         let before = after.checked_sub(1);
         let gap = before.map_or(0, |before| document.range(before).end);
-        if literal.is_none()
-            && (in_comment(&text[gap.min(start)..start]) || text[start..].starts_with(|c: char| c.is_ascii_digit()))
-        {
+        let is_open_comment = before.is_some_and(|before| document.word(before).starts_with("/*"));
+        let is_number = text[start..].starts_with(|c: char| c.is_ascii_digit());
+        if literal.is_none() && (is_open_comment || is_number || in_comment(&text[gap.min(start)..start])) {
             return None;
         }
         let piece = literal.or(before).map(|token| document.piece_of(token));

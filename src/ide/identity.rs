@@ -144,15 +144,10 @@ impl Desk<'_> {
             Role::Defined(sort) => Identity::defined(document, Class::of(sort), word),
             Role::Param | Role::Local => Some(local(document, name.piece, word)),
             Role::Step if is_taken(word) => None,
-            Role::Step => {
-                let rule = Identity::defined(document, Class::Rule, word);
-                rule.or_else(|| Identity::defined(document, Class::Import, word).filter(|_| is_called(document, name)))
-            }
+            Role::Step | Role::Value if is_called(document, name) => Identity::defined(document, Class::Import, word),
+            Role::Step => Identity::defined(document, Class::Rule, word),
             Role::Value if is_local(document, name.piece, word) => Some(local(document, name.piece, word)),
-            Role::Value => {
-                let value = Identity::defined(document, Class::Value, word);
-                value.or_else(|| Identity::defined(document, Class::Import, word).filter(|_| is_called(document, name)))
-            }
+            Role::Value => Identity::defined(document, Class::Value, word),
             Role::Style => Identity::defined(document, Class::Style, word),
             Role::Member(import) => {
                 let inner = self.document(&self.imported(document, document.word(import))?)?;
@@ -209,5 +204,6 @@ pub(super) fn is_taken(word: &str) -> bool {
 /// `plants(spacing = 3).Row`
 fn is_called(document: &Document, name: &NameUse) -> bool {
     let after = document.past_group(name.token + 1);
-    after.is_some_and(|after| document.kind(after) == Some(TokenKind::Dot))
+    let is = |token: usize, kind: TokenKind| document.kind(token) == Some(kind);
+    after.is_some_and(|after| is(after, TokenKind::Dot) && is(after + 1, TokenKind::Name))
 }

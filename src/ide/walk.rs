@@ -187,7 +187,7 @@ impl<'d> Walk<'d> {
             PieceKind::Style => Sort::Style,
             PieceKind::Import => Sort::Import,
             PieceKind::Value => self.value_sort(),
-            PieceKind::PaperRule if next == Some(TokenKind::Colon) && self.is_first(token) => return None,
+            PieceKind::PaperRule if self.is_label(token) => return None,
             _ if matches!(word, "start" | "extension") && next == Some(TokenKind::Name) => return None,
             _ => Sort::Rule,
         };
@@ -195,8 +195,13 @@ impl<'d> Walk<'d> {
         Some(Role::Defined(sort))
     }
 
-    fn is_first(&self, token: usize) -> bool {
+    /// The id of a rule in the papers' notation: a name with its own colon or arrow follows.
+    fn is_label(&self, token: usize) -> bool {
+        let after = self.document.past_group(token + 3).unwrap_or(token + 3);
         token == self.document.pieces[self.piece].tokens.start
+            && self.document.kind(token + 1) == Some(TokenKind::Colon)
+            && self.document.kind(token + 2) == Some(TokenKind::Name)
+            && matches!(self.document.kind(after), Some(TokenKind::Colon | TokenKind::Squiggle))
     }
 
     fn value_sort(&self) -> Sort {

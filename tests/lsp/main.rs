@@ -5,7 +5,8 @@ mod client;
 use client::Client;
 use serde_json::{Value, json};
 
-const PLANTS: &str = "// A row of trees.\nRow(spacing) --> split(x) { ~spacing : Trunk }*\nTrunk --> Lawn\nattr width = 3\n";
+const PLANTS: &str =
+    "// A row of trees.\nRow(spacing) --> split(x) { ~spacing : Trunk }*\nTrunk --> Lawn\nattr width = 3\n";
 const GARDEN: &str = "import plants : \"plants.cga\"\nattr width = 4\nLot --> plants.Row(width)\n";
 
 fn labels(items: &Value) -> Vec<&str> {
@@ -79,7 +80,10 @@ fn columns_count_utf_16_units() {
 #[test]
 fn hovers_show_the_manual_comments_and_the_catalogue() {
     let mut client = Client::new(&[("plants.cga", PLANTS), ("docs/manual/images/split.png", "png")]);
-    client.open("garden.cga", "import plants : \"plants.cga\"\nLot --> plants.Row(2)\nB --> split(x) { ~1 : I(birch, adult) }\n");
+    client.open(
+        "garden.cga",
+        "import plants : \"plants.cga\"\nLot --> plants.Row(2)\nB --> split(x) { ~1 : I(birch, adult) }\n",
+    );
     let text = |hover: Value| hover["contents"]["value"].as_str().expect("Markdown").to_string();
     let split = text(client.at("hover", "garden.cga", 2, 8));
     assert!(split.contains("split(axis") && split.contains("![split](file:///"), "{split}");
@@ -90,6 +94,18 @@ fn hovers_show_the_manual_comments_and_the_catalogue() {
     let birch = text(client.at("hover", "garden.cga", 2, 25));
     assert!(birch.contains("Betula") && birch.contains("adult"), "{birch}");
     assert!(client.at("hover", "garden.cga", 2, 16).is_null());
+}
+
+#[test]
+fn the_catalogue_of_the_place_is_known() {
+    let oak = "[plant.ilex]\ncategory = \"holm\"\nkind = \"tree\"\nspecies = \"Quercus ilex\"\n\
+        types.evergreen = { age = 60, height = 15, crown_radius = 6 }\n";
+    let manifest = "layout = \"a.geojson\"\nrules = \"rules/a.cga\"\ncatalogues = [\"own.toml\"]\n";
+    let mut client = Client::new(&[("bosquet.toml", manifest), ("own.toml", oak)]);
+    client.open("rules/a.cga", "Lot --> I(\"holm\", evergreen)\nB --> I(holm, ");
+    let hover = client.at("hover", "rules/a.cga", 0, 13);
+    assert!(hover["contents"]["value"].as_str().is_some_and(|text| text.contains("Quercus ilex")), "{hover}");
+    assert!(labels(&client.at("completion", "rules/a.cga", 1, 14)).contains(&"evergreen"));
 }
 
 #[test]
@@ -125,7 +141,8 @@ fn signatures_follow_the_cursor() {
 #[test]
 fn definitions_are_found_across_files_and_in_the_library() {
     let mut client = Client::new(&[("plants.cga", PLANTS)]);
-    client.open("garden.cga", &format!("{GARDEN}import edge : \"bosquet:patterns/boundary.cga\"\nB --> edge.Planting\n"));
+    client
+        .open("garden.cga", &format!("{GARDEN}import edge : \"bosquet:patterns/boundary.cga\"\nB --> edge.Planting\n"));
     let found = client.at("definition", "garden.cga", 2, 16);
     assert_eq!(found[0]["uri"], client.uri("plants.cga"));
     assert_eq!(stretch(&found[0]["range"]), (1, 0, 3));
@@ -159,7 +176,11 @@ fn renaming_reaches_every_file_and_refuses_clashes() {
     }
     let position = json!({ "line": 1, "character": 19 });
     let params = json!({ "textDocument": { "uri": plants }, "position": position });
-    assert!(client.refused("textDocument/prepareRename", params)["message"].as_str().is_some_and(|m| m.contains("built in")));
+    assert!(
+        client.refused("textDocument/prepareRename", params)["message"]
+            .as_str()
+            .is_some_and(|m| m.contains("built in"))
+    );
 }
 
 #[test]

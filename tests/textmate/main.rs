@@ -35,71 +35,107 @@ fn coloured(text: &str, wanted: &[(&str, &str)]) {
 
 #[test]
 fn definitions_are_coloured_in_both_notations() {
-    coloured("attr hedge_height = 1.2", &[("attr", "storage.type"), ("hedge_height", "entity.name.variable.attribute")]);
-    coloured("half(x) = x / 2", &[("half", "entity.name.function"), ("x", "variable.other"), ("2", "constant.numeric")]);
+    coloured(
+        "attr hedge_height = 1.2",
+        &[("attr", "storage.type"), ("hedge_height", "entity.name.variable.attribute")],
+    );
+    coloured(
+        "half(x) = x / 2",
+        &[("half", "entity.name.function"), ("x", "variable.other"), ("2", "constant.numeric")],
+    );
     coloured("import own : \"plants.cga\"", &[("import", "keyword.control.import"), ("own", "entity.name.namespace")]);
     coloured("version \"2025.1\"", &[("version", "keyword.other.version"), ("2025.1", "string.quoted.double")]);
-    coloured("style Winter extends Bare", &[("style", "storage.type.style"), ("Bare", "entity.other.inherited-class.style")]);
-    coloured("start Lot(a, b) --> Lawn", &[
-        ("start", "storage.modifier.rule"),
-        ("Lot", "entity.name.function.rule"),
-        ("-->", "keyword.operator.arrow"),
-        ("Lawn", "entity.name.type.rule"),
-    ]);
-    coloured("own.Trunk with (a := f(1)) --> NIL", &[("own.Trunk", "entity.name.function.rule"), ("NIL", "keyword.control.nil")]);
-    coloured("2: Side(w) : w > 3 ~> Lawn : 0.5", &[
-        ("2", "entity.name.label"),
-        ("Side", "entity.name.function.rule"),
-        ("~>", "keyword.operator.arrow"),
-        ("0.5", "constant.numeric"),
-    ]);
+    coloured(
+        "style Winter extends Bare",
+        &[("style", "storage.type.style"), ("Bare", "entity.other.inherited-class.style")],
+    );
+    coloured(
+        "start Lot(a, b) --> Lawn",
+        &[
+            ("start", "storage.modifier.rule"),
+            ("Lot", "entity.name.function.rule"),
+            ("-->", "keyword.operator.arrow"),
+            ("Lawn", "entity.name.type.rule"),
+        ],
+    );
+    coloured(
+        "own.Trunk with (a := f(1)) --> NIL",
+        &[("own.Trunk", "entity.name.function.rule"), ("NIL", "keyword.control.nil")],
+    );
+    coloured(
+        "2: Side(w) : w > 3 ~> Lawn : 0.5",
+        &[
+            ("2", "entity.name.label"),
+            ("Side", "entity.name.function.rule"),
+            ("~>", "keyword.operator.arrow"),
+            ("0.5", "constant.numeric"),
+        ],
+    );
 }
 
 #[test]
 fn sizes_selectors_and_choices_are_coloured() {
-    coloured("Lot --> split(x) { ~6 : A | '0.5 : B | 2r : C | { 3 : D }* }", &[
-        ("split", "support.function.operation"),
-        ("~", "keyword.operator.floating"),
-        ("6", "constant.numeric"),
-        ("'", "keyword.operator.relative"),
-        ("r", "keyword.other.unit.floating"),
-        ("*", "keyword.operator.repeat"),
-    ]);
-    coloured("A --> comp(f) { front : B | world.south = C | all : Tile. }", &[
-        ("front", "support.constant.selector"),
-        ("world.south", "support.constant.selector"),
-        ("all", "support.constant.selector"),
-        ("Tile", "entity.name.type.leaf"),
-    ]);
-    coloured("A --> 30% : B else : case scope.sx > rand(3) : C else : D", &[
-        ("30", "constant.numeric.percentage"),
-        ("%", "keyword.operator.percentage"),
-        ("else", "keyword.control.conditional"),
-        ("case", "keyword.control.conditional"),
-        ("scope.sx", "support.variable.attribute"),
-        ("rand", "support.function"),
-    ]);
-    coloured("A --> boundary(width = 4, radius = w) { front }", &[
-        ("width", "variable.parameter"),
-        ("radius", "variable.parameter"),
-        ("w", "variable.other"),
-        ("front", "variable.other"),
-    ]);
+    coloured(
+        "Lot --> split(x) { ~6 : A | '0.5 : B | 2r : C | { 3 : D }* }",
+        &[
+            ("split", "support.function.operation"),
+            ("~", "keyword.operator.floating"),
+            ("6", "constant.numeric"),
+            ("'", "keyword.operator.relative"),
+            ("r", "keyword.other.unit.floating"),
+            ("*", "keyword.operator.repeat"),
+        ],
+    );
+    coloured(
+        "A --> comp(f) { front : B | world.south = C | all : Tile. }",
+        &[
+            ("front", "support.constant.selector"),
+            ("world.south", "support.constant.selector"),
+            ("all", "support.constant.selector"),
+            ("Tile", "entity.name.type.leaf"),
+        ],
+    );
+    coloured(
+        "A --> 30% : B else : case scope.sx > rand(3) : C else : D",
+        &[
+            ("30", "constant.numeric.percentage"),
+            ("%", "keyword.operator.percentage"),
+            ("else", "keyword.control.conditional"),
+            ("case", "keyword.control.conditional"),
+            ("scope.sx", "support.variable.attribute"),
+            ("rand", "support.function"),
+        ],
+    );
+    coloured(
+        "A --> boundary(width = 4, radius = w) { front }",
+        &[
+            ("width", "variable.parameter"),
+            ("radius", "variable.parameter"),
+            ("w", "variable.other"),
+            ("front", "variable.other"),
+        ],
+    );
 }
 
 #[test]
 fn texts_comments_and_annotations_are_coloured() {
-    coloured("attr c = \"#9bb86b80\" // \"#fff\"", &[
-        ("#9bb86b80", "constant.other.color"),
-        ("// \"#fff\"", "comment.line.double-slash"),
-    ]);
-    coloured("attr c = \"a \\\" # b\" # d", &[("\\\"", "constant.character.escape"), ("# d", "comment.line.number-sign")]);
+    coloured(
+        "attr c = \"#9bb86b80\" // \"#fff\"",
+        &[("#9bb86b80", "constant.other.color"), ("// \"#fff\"", "comment.line.double-slash")],
+    );
+    coloured(
+        "attr c = \"a \\\" # b\" # d",
+        &[("\\\"", "constant.character.escape"), ("# d", "comment.line.number-sign")],
+    );
     coloured("/* attr\nattr */ Lot --> A", &[("attr", "comment.block"), ("attr", "comment.block")]);
-    coloured("@Range(min = 0)\n@Nonsense", &[
-        ("Range", "storage.type.annotation"),
-        ("min", "variable.parameter"),
-        ("Nonsense", "invalid.deprecated.annotation"),
-    ]);
+    coloured(
+        "@Range(min = 0)\n@Nonsense",
+        &[
+            ("Range", "storage.type.annotation"),
+            ("min", "variable.parameter"),
+            ("Nonsense", "invalid.deprecated.annotation"),
+        ],
+    );
 }
 
 /// The words of the pattern with this scope in a part of the grammar.
@@ -139,7 +175,8 @@ fn every_word_of_the_language_is_coloured() {
         std::fs::write(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(PATH), text).expect("the grammar");
     }
     let read = Grammar::read(&grammar);
-    let (suffixes, scopes) = (["(1)", "(1)", ""], ["support.function.operation", "support.function", "support.variable.attribute"]);
+    let (suffixes, scopes) =
+        (["(1)", "(1)", ""], ["support.function.operation", "support.function", "support.variable.attribute"]);
     for (((part, names), suffix), wanted) in parts.iter().zip(suffixes).zip(scopes) {
         for name in names {
             let text = format!("Lot --> A {name}{suffix}");

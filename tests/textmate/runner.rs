@@ -135,7 +135,8 @@ fn pattern(rule: &Value) -> Pattern {
         return Pattern::Region(Box::new(Region { begin: regex("begin"), end: regex("end"), name, inside }));
     }
     let captures = rule["captures"].as_object().into_iter().flatten();
-    let captures = captures.map(|(n, c)| (n.parse().expect("a number"), c["name"].as_str().expect("a name").to_string()));
+    let captures =
+        captures.map(|(n, c)| (n.parse().expect("a number"), c["name"].as_str().expect("a name").to_string()));
     Pattern::Match(regex("match"), name, captures.collect())
 }
 

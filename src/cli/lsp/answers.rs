@@ -18,12 +18,12 @@ type Answer = Result<Value, ResponseError>;
 
 impl Server {
     /// The answer to a request; `null` where there is nothing to say.
-    pub(super) fn answer(&self, request: Request) -> Answer {
+    pub(super) fn answer(&self, request: Request, catalogue: &Catalogue) -> Answer {
         let files = self.texts.files();
         let address = self.pictures.as_deref().map(uri::address);
         let pictures = self.pictures.as_deref().zip(address.as_deref());
         let pictures = pictures.map(|(folder, address)| Pictures { folder, address });
-        let desk = Desk::new(&self.texts, Catalogue::built_in()).with_files(&files).with_pictures(pictures);
+        let desk = Desk::new(&self.texts, catalogue).with_files(&files).with_pictures(pictures);
         let at = Asked { server: self, desk: &desk };
         let params = request.params;
         match request.method.as_str() {

@@ -7,6 +7,7 @@ mod answers;
 mod convert;
 mod frame;
 mod lines;
+mod places;
 mod texts;
 mod uri;
 
@@ -18,12 +19,14 @@ use lines::Lines;
 use lsp_server::{ErrorCode, Message, Notification, Request, RequestId, Response, ResponseError};
 use lsp_types::{
     DidChangeTextDocumentParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams, InitializeParams,
-    PublishDiagnosticsParams, TextDocumentContentChangeEvent,
+    PublishDiagnosticsParams, TextDocumentContentChangeEvent, Uri,
 };
+use places::Places;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::io::Write;
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
 use texts::Texts;
 
@@ -62,6 +65,7 @@ struct Server {
     waiting: VecDeque<Frame>,
     stage: Stage,
     texts: Texts,
+    places: Places,
     /// Where the manual's pictures lie.
     pictures: Option<String>,
     /// Texts have changed since diagnostics were told.
@@ -77,6 +81,7 @@ impl Server {
             waiting: VecDeque::new(),
             stage: Stage::New,
             texts: Texts::new(Vec::new()),
+            places: Places::default(),
             pictures: None,
             is_stale: false,
             shown: BTreeSet::new(),
@@ -121,13 +126,22 @@ impl Server {
                 self.stage = Stage::Closed;
                 Ok(Value::Null)
             }
-            _ => self.answer(request),
+            _ => {
+                let catalogue = self.catalogue(&request.params);
+                self.answer(request, catalogue.as_deref().unwrap_or_else(|| Catalogue::built_in()))
+            }
         };
         let response = match result {
             Ok(value) => Response { id, result: Some(value), error: None },
             Err(error) => Response { id, result: None, error: Some(error) },
         };
         self.message(Message::Response(response));
+    }
+
+    /// The catalogue of the file that a request is about, where its place has one.
+    fn catalogue(&mut self, params: &Value) -> Option<Arc<Catalogue>> {
+        let uri: Uri = serde_json::from_value(params.get("textDocument")?.get("uri")?.clone()).ok()?;
+        self.places.catalogue(&mut self.texts, &uri::path(&uri))
     }
 
     /// Whether a message that waits cancels the request.
@@ -174,6 +188,7 @@ impl Server {
             }),
             "textDocument/didSave" | "workspace/didChangeWatchedFiles" => {
                 self.texts.look_for_files();
+                self.places.forget();
                 self.is_stale = true;
             }
             _ => {}

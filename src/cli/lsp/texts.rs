@@ -94,7 +94,7 @@ impl Texts {
     pub fn put(&mut self, uri: &Uri, text: String) {
         let path = uri::path(uri);
         if let Some(folder) = Path::new(&path).parent().filter(|_| uri::is_file(uri)) {
-            self.open_folder(&folder.to_path_buf());
+            self.open_folder(folder);
         }
         self.buffers.insert(path, Buffer { uri: uri.clone(), text });
     }
