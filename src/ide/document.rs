@@ -4,6 +4,7 @@
 
 use crate::ide::walk::{Role, Walk};
 use crate::syntax::{NO_PARTNER, Piece, PieceKind, Source, Token, TokenKind, pieces};
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// A rule file, whole or broken.
@@ -12,6 +13,8 @@ pub struct Document {
     pub(super) tokens: Vec<Token>,
     pub(super) pieces: Vec<Piece>,
     definitions: Vec<Definition>,
+    /// Indices of definitions by their names.
+    by_name: BTreeMap<String, Vec<usize>>,
     pub(super) names: Vec<NameUse>,
 }
 
@@ -67,13 +70,17 @@ impl Document {
     pub fn new(path: &str, bytes: &[u8]) -> Document {
         let source = Source::new(path, bytes);
         let (tokens, pieces) = pieces(source.text());
-        let mut document = Document { source, tokens, pieces, definitions: Vec::new(), names: Vec::new() };
+        let mut document =
+            Document { source, tokens, pieces, definitions: Vec::new(), by_name: BTreeMap::new(), names: Vec::new() };
         for piece in 0..document.pieces.len() {
             let end = document.pieces[piece].tokens.end;
             let roles = Walk::until(&document, piece, end).roles;
             document.names.extend(roles.into_iter().map(|(token, role)| NameUse { token, piece, role }));
         }
         document.definitions = document.define();
+        for (index, definition) in document.definitions.iter().enumerate() {
+            document.by_name.entry(definition.name.clone()).or_default().push(index);
+        }
         document
     }
 
@@ -90,6 +97,12 @@ impl Document {
     /// What it defines, in order.
     pub fn definitions(&self) -> &[Definition] {
         &self.definitions
+    }
+
+    /// Its definitions of a name, in order. Cost: logarithmic in the names.
+    pub(super) fn named(&self, name: &str) -> impl Iterator<Item = &Definition> {
+        let indices = self.by_name.get(name).map_or(&[][..], Vec::as_slice);
+        indices.iter().map(|index| &self.definitions[*index])
     }
 
     /// The definition that a piece is.

@@ -97,7 +97,7 @@ impl Desk<'_> {
         if word == "NIL" {
             return Some("`NIL` deletes the shape; what stands after it in the body is not run.".into());
         }
-        if let Some(operation) = ops::find(word) {
+        if let Some(operation) = ops::find(word).or_else(|| page::of_papers(word)) {
             return Some(page::operation(operation.spec, self.picture(operation.spec.name).as_deref()));
         }
         let missing = UNBUILT_OPERATIONS.iter().find(|unbuilt| unbuilt.name == word);
@@ -117,7 +117,7 @@ impl Desk<'_> {
     /// Where the picture of an operation's example lies, if it is there.
     pub(super) fn picture(&self, name: &str) -> Option<String> {
         let pictures = self.pictures?;
-        let is_there = self.world.asset(&format!("{}/{name}.png", pictures.folder)).is_ok();
+        let is_there = self.world.exists(&format!("{}/{name}.png", pictures.folder));
         is_there.then(|| format!("{}/{name}.png", pictures.address))
     }
 }

@@ -69,7 +69,7 @@ impl Class {
 
 impl Identity {
     fn defined(document: &Document, class: Class, name: &str) -> Option<Identity> {
-        let known = document.definitions().iter().any(|d| Class::of(d.sort) == class && d.name == name);
+        let known = document.named(name).any(|d| Class::of(d.sort) == class);
         known.then(|| Identity::Defined { path: document.path().to_string(), class, name: name.to_string() })
     }
 
@@ -91,7 +91,7 @@ impl Identity {
     pub fn definitions<'d>(&self, document: &'d Document) -> Vec<&'d Definition> {
         match self {
             Identity::Defined { class, name, .. } => {
-                document.definitions().iter().filter(|d| Class::of(d.sort) == *class && d.name == *name).collect()
+                document.named(name).filter(|d| Class::of(d.sort) == *class).collect()
             }
             Identity::Local { .. } => Vec::new(),
         }

@@ -14,7 +14,7 @@ use std::rc::Rc;
 impl Desk<'_> {
     /// The file that an import of a document brings, as the world calls it.
     pub(super) fn imported(&self, document: &Document, name: &str) -> Option<String> {
-        let import = document.definitions().iter().find(|d| d.sort == Sort::Import && d.name == name)?;
+        let import = document.named(name).find(|d| d.sort == Sort::Import)?;
         imported_path(document, import)
     }
 
@@ -82,7 +82,7 @@ pub(super) fn path_token(document: &Document, import: &Definition) -> Option<usi
 /// The pairs of files between which an import of the document shares the attribute.
 fn shared(desk: &Desk, document: &Document, name: &str) -> Vec<(String, String)> {
     let declares = |document: &Document, sorts: &[Sort]| {
-        document.definitions().iter().any(|d| d.name == name && sorts.contains(&d.sort) && d.params.is_none())
+        document.named(name).any(|d| sorts.contains(&d.sort) && d.params.is_none())
     };
     if !declares(document, &[Sort::Attribute, Sort::Constant]) {
         return Vec::new();

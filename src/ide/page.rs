@@ -2,7 +2,7 @@
 
 use crate::functions::Function;
 use crate::ide::document::{Definition, Document, Sort};
-use crate::ops::{Param, Spec};
+use crate::ops::{self, Operation, Param, Spec};
 use crate::syntax::{ANNOTATIONS, TokenKind};
 
 /// What annotations do, and how they are written; those of CityEngine's that are not here change nothing.
@@ -21,6 +21,18 @@ const NOTES: &[(&str, &str, &str)] = &[
 
 /// Longer values are cut in hovers, characters.
 const MOST_SHOWN: usize = 400;
+
+/// The operation that a name of the papers means, where no rule has the name.
+pub(super) fn of_papers(name: &str) -> Option<&'static Operation> {
+    ops::find(match name {
+        "Subdiv" | "Repeat" => "split",
+        "Comp" => "comp",
+        "T" => "t",
+        "S" => "s",
+        "Rx" | "Ry" | "Rz" => "r",
+        _ => return None,
+    })
+}
 
 /// The page of an operation, with a picture where there is one.
 pub(super) fn operation(spec: &Spec, picture: Option<&str>) -> String {

@@ -92,7 +92,7 @@ impl Desk<'_> {
 /// What a definition of that name would meet in its file.
 fn defined_clash(document: &Document, class: Class, new: &str) -> Option<String> {
     let file = document.path();
-    if let Some(taken) = document.definitions().iter().find(|d| Class::of(d.sort) == class && d.name == new) {
+    if let Some(taken) = document.named(new).find(|d| Class::of(d.sort) == class) {
         return Some(format!("`{file}` has {} `{new}` already", article(taken.sort.word())));
     }
     let used = |name: &&NameUse| document.word(name.token) == new;

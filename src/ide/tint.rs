@@ -4,6 +4,7 @@ use crate::functions;
 use crate::ide::Desk;
 use crate::ide::document::{Document, NameUse, Sort};
 use crate::ide::identity::{Class, Identity, Segment};
+use crate::ide::page::of_papers;
 use crate::ide::walk::Role;
 use crate::ops;
 use std::ops::Range;
@@ -95,7 +96,7 @@ impl Desk<'_> {
 fn built_in(document: &Document, name: &NameUse) -> Option<Tint> {
     let word = document.word(name.token);
     match name.role {
-        Role::Step if word == "NIL" || ops::find(word).is_some() => Some(Tint::Operation),
+        Role::Step if word == "NIL" || ops::find(word).or_else(|| of_papers(word)).is_some() => Some(Tint::Operation),
         Role::Step => Some(Tint::Rule),
         Role::Value => match functions::find(word) {
             Some(function) if function.signature.is_empty() => Some(Tint::Attribute),

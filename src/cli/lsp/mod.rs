@@ -264,7 +264,7 @@ fn publication(desk: &Desk, texts: &Texts, path: &str, findings: &[Finding]) -> 
 /// The folder of the manual's pictures: said by the editor, in the workspace, or beside the command.
 fn pictures(texts: &Texts, options: Option<&Value>) -> Option<String> {
     let said = options.and_then(|options| options.get("pictures")).and_then(Value::as_str).map(PathBuf::from);
-    let own = texts.workspace().iter().map(|folder| folder.join("docs/manual/images"));
+    let own = texts.workspace().iter().flat_map(|f| [f.join("docs/manual/images"), f.join("manual/images")]);
     let command = std::env::current_exe().ok();
     let beside = command.as_ref().and_then(|path| Some(path.parent()?.join("../share/bosquet/manual/images")));
     let folder = said.into_iter().chain(own).chain(beside).find(|folder| folder.is_dir())?;

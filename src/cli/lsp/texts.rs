@@ -129,6 +129,14 @@ impl World for Texts {
     fn asset(&self, path: &str) -> Result<Arc<[u8]>, WorldError> {
         self.disk.asset(path)
     }
+
+    fn exists(&self, path: &str) -> bool {
+        self.buffers.contains_key(path) || self.disk.exists(path)
+    }
+
+    fn list(&self, folder: &str) -> Result<Vec<String>, WorldError> {
+        self.disk.list(folder)
+    }
 }
 
 /// The rule files below a folder; hidden folders and those of other tools are passed over.
