@@ -4,6 +4,7 @@ use crate::element::{color_text, parse_color};
 use crate::ide::Desk;
 use crate::ide::document::Document;
 use crate::ide::walk::Role;
+use crate::ops;
 use crate::syntax::TokenKind;
 use std::ops::Range;
 
@@ -56,8 +57,8 @@ impl Desk<'_> {
     fn leaf_color(&self, document: &Document, token: usize) -> Option<[f32; 4]> {
         let name = document.name_at(token).filter(|name| name.role == Role::Step)?;
         let word = document.word(token);
-        let is_leaf =
-            crate::ops::find(word).is_none() && self.segments(document, &name).iter().all(|s| s.identity.is_none());
-        Some(self.catalogue.cover(word).filter(|_| is_leaf)?.material.fill)
+        let cover = self.catalogue.cover(word).filter(|_| ops::find(word).is_none())?;
+        let is_leaf = self.segments(document, &name).iter().all(|segment| segment.identity.is_none());
+        is_leaf.then_some(cover.material.fill)
     }
 }

@@ -1,8 +1,9 @@
-//! What is wrong in a file and in what it imports.
+//! What is wrong in a file and in what it imports; and a file laid out, where nothing is.
 
 use crate::check::check;
 use crate::diag::{Diagnostic, Place as At, Severity};
 use crate::ide::{Desk, Place};
+use crate::syntax::format;
 
 /// Something to tell about a stretch of a file.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +37,13 @@ impl Desk<'_> {
             message: with_hints(diagnostic),
         };
         found.iter().map(finding).collect()
+    }
+}
+
+impl Desk<'_> {
+    /// The text of a file as `bosquet fmt` lays it out; `None` where it cannot be read. Cost: linear.
+    pub fn laid_out(&self, path: &str) -> Option<String> {
+        format(0, self.document(path)?.source()).ok()
     }
 }
 

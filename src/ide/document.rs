@@ -94,6 +94,11 @@ impl Document {
         self.source.text()
     }
 
+    /// The text as it was read.
+    pub(super) fn source(&self) -> &Source {
+        &self.source
+    }
+
     /// What it defines, in order.
     pub fn definitions(&self) -> &[Definition] {
         &self.definitions

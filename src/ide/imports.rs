@@ -73,9 +73,10 @@ pub(super) fn imported_path(document: &Document, import: &Definition) -> Option<
     Some(join(document.path(), document.text_of(token)))
 }
 
-/// The text of an import that is its path.
+/// The text of an import that is its path; other definitions have none.
 pub(super) fn path_token(document: &Document, import: &Definition) -> Option<usize> {
-    let mut tokens = document.pieces.get(import.piece)?.tokens.clone();
+    let piece = document.pieces.get(import.piece).filter(|_| import.sort == Sort::Import)?;
+    let mut tokens = piece.tokens.clone();
     tokens.find(|token| document.kind(*token) == Some(TokenKind::Text))
 }
 

@@ -215,7 +215,7 @@ fn outlines_and_folds_survive_a_broken_rule() {
 #[test]
 fn colours_are_shown_and_written() {
     let mut client = Client::new(&[]);
-    client.open("a.cga", "Lot --> color(\"#ff000080\") Path.\nB --> Lawn\n");
+    client.open("a.cga", "Lot --> color(\"#ff000080\") Slab.\nB --> Lawn\n");
     let colors = client.about("documentColor", "a.cga");
     assert_eq!(stretch(&colors[0]["range"]), (0, 14, 25));
     assert_eq!((&colors[0]["color"]["red"], colors.as_array().map(Vec::len)), (&json!(1.0), Some(2)));
@@ -227,6 +227,21 @@ fn colours_are_shown_and_written() {
     };
     assert_eq!(written(&mut client, 0)[0]["label"], "\"#00ff00\"");
     assert_eq!(written(&mut client, 1), json!([]), "a cover's name is no colour");
+}
+
+#[test]
+fn files_are_laid_out_and_broken_ones_left_alone() {
+    let mut client = Client::new(&[]);
+    client.open("a.cga", "Lot-->split( x ){1:A.|~2:Lawn}\n");
+    let edits = client.about("formatting", "a.cga");
+    let laid_out = edits[0]["newText"].as_str().expect("a text").to_string();
+    assert!(laid_out.starts_with("Lot -->") && laid_out.ends_with('\n'), "{laid_out}");
+    let everything = json!({ "start": { "line": 0, "character": 0 }, "end": { "line": 1, "character": 0 } });
+    assert_eq!(edits[0]["range"], everything);
+    client.open("b.cga", &laid_out);
+    assert_eq!(client.about("formatting", "b.cga"), json!([]), "nothing is left to do");
+    client.open("c.cga", "Lot --> split(x) {");
+    assert!(client.about("formatting", "c.cga").is_null());
 }
 
 #[test]

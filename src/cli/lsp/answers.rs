@@ -36,6 +36,7 @@ impl Server {
             "textDocument/rename" => at.rename(&read(params)?),
             "textDocument/documentSymbol" => at.symbols(&read(params)?),
             "textDocument/foldingRange" => at.folds(&read(params)?),
+            "textDocument/formatting" => at.formatting(&read(params)?),
             "textDocument/documentColor" => at.colors(&read(params)?),
             "textDocument/colorPresentation" => at.presentation(&read(params)?),
             "textDocument/semanticTokens/full" => at.tokens(&read(params)?),
@@ -140,6 +141,16 @@ impl Asked<'_> {
     fn folds(&self, params: &FoldingRangeParams) -> Answer {
         let path = uri::path(&params.text_document.uri);
         self.shown(&path, &self.desk.folds(&path))
+    }
+
+    /// One edit of everything; `null` for a broken file, whose mistakes are told already.
+    fn formatting(&self, params: &DocumentSymbolParams) -> Answer {
+        let path = uri::path(&params.text_document.uri);
+        let Some(document) = self.desk.document(&path) else { return Ok(Value::Null) };
+        let Some(new) = self.desk.laid_out(&path) else { return Ok(Value::Null) };
+        let (old, lines) = (document.text(), Lines::of(document.text()));
+        let edit = json!({ "range": lines.range(&(0..old.len())), "newText": new });
+        Ok(if new == old { json!([]) } else { json!([edit]) })
     }
 
     fn colors(&self, params: &DocumentColorParams) -> Answer {

@@ -30,6 +30,7 @@ pub fn capabilities() -> Value {
         "renameProvider": { "prepareProvider": true },
         "documentSymbolProvider": true,
         "foldingRangeProvider": true,
+        "documentFormattingProvider": true,
         "colorProvider": true,
         "semanticTokensProvider": { "legend": { "tokenTypes": types, "tokenModifiers": modifiers }, "full": true },
     })
