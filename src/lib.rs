@@ -55,6 +55,7 @@ pub mod export;
 pub mod files;
 pub mod functions;
 pub mod geometry;
+pub mod ide;
 pub mod layout;
 pub mod library;
 pub mod manual;

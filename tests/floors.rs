@@ -32,6 +32,7 @@ const FLOORS: &[(&str, u32)] = &[
     ("diff", 6),
     ("derive", 7),
     ("export", 7),
+    ("ide", 7),
     ("trace", 7),
     ("manual", 8),
     ("cli", 9),

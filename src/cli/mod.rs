@@ -12,6 +12,7 @@ mod explained;
 mod fmt;
 mod job;
 mod limits;
+mod lsp;
 mod manual;
 mod new;
 mod ops;
@@ -57,6 +58,16 @@ enum Command {
     New(new::Arguments),
     /// Measure how plants stand, and how far two plantings are from each other
     Stats(Box<stats::Arguments>),
+    /// The language server for editors, on standard input and output
+    Lsp(LspArguments),
+}
+
+/// Editors say it; there is nothing else to choose.
+#[derive(clap::Args)]
+struct LspArguments {
+    /// Talk on standard input and output, as it does anyway
+    #[arg(long)]
+    stdio: bool,
 }
 
 /// How a command ended.
@@ -86,6 +97,7 @@ pub fn main() -> ExitCode {
         Command::Manual(arguments) => manual::run(&arguments),
         Command::New(arguments) => new::run(&arguments),
         Command::Stats(arguments) => stats::run(&arguments),
+        Command::Lsp(LspArguments { stdio: _ }) => lsp::run(),
     };
     match ended {
         Ended::Well => ExitCode::SUCCESS,

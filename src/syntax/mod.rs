@@ -16,18 +16,21 @@ mod paper;
 mod source;
 mod token;
 
+pub use explain::ANNOTATIONS;
 pub use format::format;
+pub use outline::{Piece, PieceKind};
 pub use source::Source;
+pub use token::{Kind as TokenKind, NONE as NO_PARTNER, Token};
 
 use crate::diag::{Diagnostic, Span};
 use ast::{Annotation, File, Item, ItemKind, Text};
 use build::Builder;
 use explain::Broken;
 use grammar::{Cga, Rule};
-use outline::{Piece, PieceKind, outline};
+use outline::outline;
 use pest::Parser;
 use pest::iterators::Pairs;
-use token::{Kind, Token};
+use token::Kind;
 
 /// Files longer than this are refused: rules are written by people.
 pub const MAX_BYTES: usize = 32 << 20;
@@ -50,6 +53,14 @@ pub fn parse(file: u16, source: &Source) -> (File, Vec<Diagnostic>) {
         parse.file();
     }
     (parse.tree, parse.reports)
+}
+
+/// The tokens of a text with their brackets joined, and its pieces: one annotation or definition each, broken ones
+/// too. For whoever works on a text that is just being written. Cost: linear.
+pub fn pieces(text: &str) -> (Vec<Token>, Vec<Piece>) {
+    let mut tokens = token::tokens(text);
+    let pieces = outline(text, &mut tokens);
+    (tokens, pieces)
 }
 
 /// One file under way.

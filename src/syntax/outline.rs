@@ -9,7 +9,7 @@ use super::token::{Kind, NONE, Token};
 
 /// What a piece of a file is, told by its first tokens.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum PieceKind {
+pub enum PieceKind {
     /// `@Name(args)`
     Annotation,
     /// `version "…"`
@@ -30,7 +30,7 @@ pub(super) enum PieceKind {
 
 /// One annotation or definition.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Piece {
+pub struct Piece {
     /// What it is.
     pub kind: PieceKind,
     /// Its tokens, as a range of indices.

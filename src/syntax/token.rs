@@ -5,7 +5,7 @@
 
 /// A stretch of text that means one thing.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Token {
+pub struct Token {
     /// First byte.
     pub start: u32,
     /// One past the last byte.
@@ -19,11 +19,11 @@ pub(super) struct Token {
 }
 
 /// The [`Token::link`] of what has no partner.
-pub(super) const NONE: u32 = u32::MAX;
+pub const NONE: u32 = u32::MAX;
 
 /// What a token is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub enum Kind {
     /// `Lot`, `scope.sx`
     Name,
     /// `3`, `.5`, `2r`

@@ -31,7 +31,7 @@ pub(super) struct Broken<'t> {
 }
 
 /// Every annotation there is: CityEngine's and ours.
-const ANNOTATIONS: [&str; 25] = [
+pub const ANNOTATIONS: [&str; 25] = [
     "Angle",
     "Color",
     "Context",
