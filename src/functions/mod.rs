@@ -10,6 +10,7 @@ mod occlusion;
 mod position;
 mod random;
 mod species;
+mod surface;
 mod text;
 
 pub use position::At;
@@ -116,6 +117,7 @@ static FUNCTIONS: &[&[Function]] = &[
     random::LIST,
     text::LIST,
     geometry::LIST,
+    surface::LIST,
     occlusion::LIST,
     position::LIST,
     species::LIST,

@@ -43,6 +43,7 @@ mod set;
 mod setback;
 mod single;
 mod split;
+mod split_uv;
 mod strategy;
 mod t;
 mod without;
