@@ -50,7 +50,17 @@ pub(super) fn seed(region: &Region, run: Seed) -> Seed {
 
 /// What rules can ask of the region.
 pub(super) fn facts(region: &Region, start: Arc<str>) -> Initial {
-    Initial { name: region.name.clone(), start, kind: region.kind.word().into(), zone: region.zone.clone() }
+    let lists = region.attributes.iter().filter_map(|(name, value)| {
+        Some((name.strip_prefix("/edgeattr/").unwrap_or(name).into(), value.as_array()?.clone()))
+    });
+    Initial {
+        name: region.name.clone(),
+        start,
+        kind: region.kind.word().into(),
+        zone: region.zone.clone(),
+        outline: Some(region.polygon.clone()),
+        edge_attributes: lists.collect(),
+    }
 }
 
 /// The features of the lot, under the word of their kind.

@@ -1,6 +1,7 @@
 //! Shape attributes: read by name, some set by `set()`.
 
 use crate::functions::{Function, Surroundings};
+use crate::shape::Frame;
 use crate::value::Value;
 use glam::{DVec3, EulerRot};
 
@@ -27,9 +28,9 @@ pub(super) static LIST: &[Function] = &[
     attribute!("scope.elevation", "The height of the origin in metres.", |a| {
         Value::Float(a.shape.scope.frame.origin.y)
     }),
-    attribute!("scope.rx", "The turn about x in degrees.", |a| Value::Float(turn(a).x)),
-    attribute!("scope.ry", "The turn about y in degrees.", |a| Value::Float(turn(a).y)),
-    attribute!("scope.rz", "The turn about z in degrees.", |a| Value::Float(turn(a).z)),
+    attribute!("scope.rx", "The turn about x in degrees.", |a| Value::Float(turn(&a.shape.scope.frame).x)),
+    attribute!("scope.ry", "The turn about y in degrees.", |a| Value::Float(turn(&a.shape.scope.frame).y)),
+    attribute!("scope.rz", "The turn about z in degrees.", |a| Value::Float(turn(&a.shape.scope.frame).z)),
     attribute!("split.index", "The number of the part in the last split, from 0.", |a| {
         Value::Float(f64::from(a.shape.ordinals.split.0))
     }),
@@ -107,6 +108,22 @@ pub(super) static LIST: &[Function] = &[
     .truth()
     .settable()
     .added(),
+    attribute!("pivot.px", "The world x of the pivot in metres.", |a| Value::Float(a.shape.pivot().origin.x)),
+    attribute!("pivot.py", "The world y of the pivot in metres.", |a| Value::Float(a.shape.pivot().origin.y)),
+    attribute!("pivot.pz", "The world z of the pivot in metres.", |a| Value::Float(a.shape.pivot().origin.z)),
+    attribute!("pivot.ox", "The turn of the pivot about x in degrees.", |a| Value::Float(turn(&a.shape.pivot()).x)),
+    attribute!("pivot.oy", "The turn of the pivot about y in degrees.", |a| Value::Float(turn(&a.shape.pivot()).y)),
+    attribute!("pivot.oz", "The turn of the pivot about z in degrees.", |a| Value::Float(turn(&a.shape.pivot()).z)),
+    attribute!("trim.horizontal", "Whether solids are trimmed along level edges; bosquet keeps it for scenes.", |a| {
+        trim(a, 0)
+    })
+    .truth()
+    .settable(),
+    attribute!("trim.vertical", "Whether solids are trimmed along upright edges; bosquet keeps it for scenes.", |a| {
+        trim(a, 1)
+    })
+    .truth()
+    .settable(),
     attribute!("label.name", "The last label, empty where there is none.", |a| {
         Value::Text(a.shape.style.label.clone().unwrap_or_default())
     })
@@ -114,14 +131,19 @@ pub(super) static LIST: &[Function] = &[
     .added(),
 ];
 
+/// Whether it is trimmed: yes, until it is set.
+fn trim(around: &Surroundings, which: usize) -> Value {
+    Value::Bool(around.shape.surface().and_then(|surface| surface.trim[which]).unwrap_or(true))
+}
+
 fn channel(around: &Surroundings, index: usize) -> Value {
     Value::Float(f64::from(around.shape.style.color.unwrap_or([1.0; 4])[index]))
 }
 
 /// The turns about x, y and z in degrees; of the two that every rotation has, the one that lies nearer to a mere turn
 /// about y.
-fn turn(around: &Surroundings) -> DVec3 {
-    let (x, y, z) = around.shape.scope.frame.rotation.to_euler(EulerRot::XYZ);
+fn turn(frame: &Frame) -> DVec3 {
+    let (x, y, z) = frame.rotation.to_euler(EulerRot::XYZ);
     let turn = DVec3::new(x, y, z).map(f64::to_degrees);
     if turn.x.abs() + turn.z.abs() <= 180.0 {
         return turn;

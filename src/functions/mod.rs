@@ -4,7 +4,9 @@
 //! stream, so a function's result depends on the shape alone.
 
 mod attributes;
+mod edges;
 mod geometry;
+mod material;
 mod math;
 mod occlusion;
 mod position;
@@ -16,10 +18,11 @@ mod text;
 pub use position::At;
 
 use crate::element::Catalogue;
+use crate::geometry::Polygon;
 use crate::raster::Rasters;
 use crate::seed::Random;
 use crate::shape::{NodeId, Occluders, Shape};
-use crate::value::Value;
+use crate::value::{Array, Value};
 use std::sync::Arc;
 
 /// A function or shape attribute as checker and engine find it.
@@ -42,6 +45,8 @@ pub struct Function {
     pub settable: bool,
     /// It asks how shapes lie to each other.
     pub looks_around: bool,
+    /// It asks for tags, so operations set theirs.
+    pub asks_for_tags: bool,
     /// CityEngine's, or ours.
     pub added: bool,
     /// Its value.
@@ -100,6 +105,10 @@ pub struct Initial {
     pub kind: Arc<str>,
     /// The region's zone.
     pub zone: Arc<str>,
+    /// The region's outline on the plan.
+    pub outline: Option<Polygon>,
+    /// The region's attributes that have a value for each edge of the outline, without `/edgeattr/` before their names.
+    pub edge_attributes: Vec<(Arc<str>, Arc<Array>)>,
 }
 
 /// Every function and attribute, by group.
@@ -121,7 +130,12 @@ static FUNCTIONS: &[&[Function]] = &[
     occlusion::LIST,
     position::LIST,
     species::LIST,
+    edges::LIST,
     attributes::LIST,
+    material::LIST,
+    material::COLORS.as_flattened(),
+    material::PLACINGS.as_flattened(),
+    material::WHOLE,
 ];
 
 impl Function {
@@ -142,6 +156,7 @@ impl Function {
             gives: Gives::Number,
             settable: false,
             looks_around: false,
+            asks_for_tags: false,
             added: false,
             call,
         }
@@ -179,6 +194,11 @@ impl Function {
 
     const fn looking(mut self) -> Function {
         self.looks_around = true;
+        self
+    }
+
+    const fn tagging(mut self) -> Function {
+        self.asks_for_tags = true;
         self
     }
 

@@ -60,6 +60,7 @@ pub(super) static LIST: &[Function] = &[
         },
     )
     .truth()
+    .tagging()
     .words(PARTS),
     Function::new(
         "geometry.hasTags",
@@ -72,6 +73,7 @@ pub(super) static LIST: &[Function] = &[
         },
     )
     .truth()
+    .tagging()
     .words(PARTS),
     Function::new(
         "geometry.tags",
@@ -84,6 +86,7 @@ pub(super) static LIST: &[Function] = &[
         },
     )
     .gives(Gives::Texts)
+    .tagging()
     .words(PARTS),
     Function::new(
         "geometry.groups",

@@ -50,10 +50,12 @@ macro_rules! operation {
         impl $crate::ops::Decode for $type {
             fn decode(values: &mut [Option<$crate::value::Value>]) -> Result<Self, $crate::ops::Problem> {
                 let mut values = values.iter_mut().map(Option::take);
-                Ok($type { $( $field: {
+                let decoded = $type { $( $field: {
                     let value = values.next().flatten();
                     $crate::ops::declare::operation!(@decode $field, $ptype, value $(, $default)?)
-                } ),* })
+                } ),* };
+                debug_assert!(values.next().is_none(), "more values than `{}` has parameters", $name);
+                Ok(decoded)
             }
         }
     };

@@ -6,22 +6,24 @@
 use crate::shape::chart::{self, Chart};
 use crate::shape::{Frame, Shape, Tag};
 use crate::value::Value;
-use glam::DAffine3;
+use glam::{DAffine3, DMat3, DQuat};
 use std::sync::Arc;
 
-/// Charts, projections, material values and tags of a shape.
+/// Charts, projections, material values, tags and pivot of a shape.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Surface {
     /// Texture coordinates by set, ascending.
     pub charts: Vec<(u32, Chart)>,
     /// What `setupProjection` prepared, by set.
     pub projections: Vec<(u32, Chart)>,
-    /// `set(material.…)`: names without `material.`, ascending.
-    pub material: Vec<(&'static str, Value)>,
+    /// `set(material.…)` but for name and colour: names without `material.`, ascending.
+    pub material: Vec<(Arc<str>, Value)>,
     /// `tag()` and what operations tag by themselves.
     pub tags: Vec<Tag>,
     /// `setPivot`: where the pivot lies and how it is turned; the scope's own origin and axes where it is not set.
     pub pivot: Option<Frame>,
+    /// `trim.horizontal` and `trim.vertical`, where they were set.
+    pub trim: [Option<bool>; 2],
 }
 
 impl Surface {
@@ -42,11 +44,11 @@ impl Surface {
 
     /// The value of a material attribute, named without `material.`.
     pub fn material(&self, name: &str) -> Option<&Value> {
-        self.material.iter().find(|(own, _)| *own == name).map(|(_, value)| value)
+        self.material.iter().find(|(own, _)| **own == *name).map(|(_, value)| value)
     }
 
     /// Sets a material attribute.
-    pub fn put_material(&mut self, name: &'static str, value: Value) {
+    pub fn put_material(&mut self, name: Arc<str>, value: Value) {
         put(&mut self.material, name, value);
     }
 
@@ -60,6 +62,12 @@ impl Surface {
         let charts = self.charts.iter_mut().chain(&mut self.projections);
         charts.for_each(|(_, chart)| chart.plane = chart.plane * back);
         self.tags.iter_mut().for_each(|tag| tag.carried(motion));
+        if let Some(pivot) = &mut self.pivot {
+            pivot.origin = motion.transform_point3(pivot.origin);
+            let is_turn = (motion.matrix3 * motion.matrix3.transpose()).abs_diff_eq(DMat3::IDENTITY, 1e-9);
+            let turn = if is_turn { DQuat::from_mat3(&motion.matrix3) } else { DQuat::IDENTITY };
+            pivot.rotation = (turn * pivot.rotation).normalize();
+        }
     }
 }
 
@@ -115,6 +123,11 @@ impl Shape {
         if let Some(charts) = chart::native(self) {
             self.surface_mut().charts = (0..).zip(charts).collect();
         }
+    }
+
+    /// About what it turns: the pivot where one is set, else its scope's origin and axes.
+    pub fn pivot(&self) -> Frame {
+        self.surface().and_then(|surface| surface.pivot).unwrap_or(self.scope.frame)
     }
 
     fn carried(&mut self, motion: &DAffine3) {

@@ -62,6 +62,14 @@ impl Tag {
 }
 
 impl Patch {
+    /// The way a face looks, a unit vector; zero for edges and vertices.
+    pub fn normal(&self) -> DVec3 {
+        match self {
+            Patch::Face(rings) => rings.first().map_or(DVec3::ZERO, |ring| normal(ring)),
+            Patch::Edge(_) | Patch::Vertex(_) => DVec3::ZERO,
+        }
+    }
+
     /// Whether it covers another patch of its own sort.
     pub fn covers(&self, other: &Patch) -> bool {
         match (self, other) {
