@@ -14,7 +14,7 @@ use glam::DVec2;
 const LEAST_SHARE: f64 = 0.05;
 
 /// The ends go on straight this many times as far as the ribbon reaches to its sides.
-const BEYOND: f64 = 8.0;
+const BEYOND: f64 = 2.0;
 
 /// A line with coordinates along and across.
 #[derive(Clone, Debug, PartialEq)]
@@ -86,10 +86,11 @@ impl Ribbon {
         let places = cells.enumerate().map(|(index, cell)| {
             let across = (point - cell.from).dot(cell.along.perp());
             let along = (point - cell.foot(across)).dot(cell.along) / cell.share(across).max(1e-9);
-            let low = if index == 0 { f64::NEG_INFINITY } else { 0.0 };
-            let high = if index == last { f64::INFINITY } else { cell.length };
-            let inside = along.clamp(low, high);
-            ((along - inside).abs(), DVec2::new(cell.start + inside, across))
+            let inside = along.clamp(0.0, cell.length);
+            // Beyond its ends the ribbon goes on, but what another segment has is not theirs.
+            let leads_on = (index == 0 && along < inside) || (index == last && along > inside);
+            let place = DVec2::new(cell.start + if leads_on { along } else { inside }, across);
+            ((along - inside).abs(), place)
         });
         let nearest = places.min_by(|(a, p), (b, q)| a.total_cmp(b).then(p.y.abs().total_cmp(&q.y.abs())));
         nearest.map_or(DVec2::ZERO, |(_, place)| place)
