@@ -29,6 +29,20 @@ pub fn number(value: f64, decimals: usize) -> String {
     if text == "-0" { "0".into() } else { text.into() }
 }
 
+/// The number that a text begins with, spaces before it aside; not a number where there is none.
+pub fn leading_number(text: &str) -> f64 {
+    let text = text.trim();
+    if let Ok(number) = text.parse() {
+        return number;
+    }
+    let is_part = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'E');
+    let end = text.find(|c: char| !is_part(c)).unwrap_or(text.len()).min(LONGEST_NUMBER);
+    (1..=end).rev().find_map(|end| text[..end].parse().ok()).unwrap_or(f64::NAN)
+}
+
+/// Characters within which a number must end where other words follow.
+const LONGEST_NUMBER: usize = 64;
+
 /// A count with its noun: `1 plant`, `1,204 plants`.
 pub fn counted(count: usize, noun: &str) -> String {
     format!("{} {noun}{}", thousands(count), if count == 1 { "" } else { "s" })

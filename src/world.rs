@@ -41,6 +41,16 @@ pub trait World: Sync {
     fn source(&self, path: &str) -> Result<Arc<[u8]>, WorldError>;
     /// The bytes of a model or picture that a text names.
     fn asset(&self, path: &str) -> Result<Arc<[u8]>, WorldError>;
+    /// Whether there is a file at a path that may be read.
+    fn exists(&self, path: &str) -> bool {
+        self.asset(path).is_ok()
+    }
+    /// The paths of all files below a folder, sorted; `folder` ends in `/` or is empty, and every path begins with it.
+    ///
+    /// None in a world that cannot tell.
+    fn list(&self, _folder: &str) -> Result<Vec<String>, WorldError> {
+        Ok(Vec::new())
+    }
 }
 
 /// The bytes of a rule file: of the pattern library where the path begins with `bosquet:`, else of the world.
@@ -96,6 +106,10 @@ impl World for MemoryWorld {
 
     fn asset(&self, path: &str) -> Result<Arc<[u8]>, WorldError> {
         self.source(path)
+    }
+
+    fn list(&self, folder: &str) -> Result<Vec<String>, WorldError> {
+        Ok(self.files.keys().filter(|path| path.starts_with(folder)).cloned().collect())
     }
 }
 

@@ -5,17 +5,16 @@
 mod place;
 #[path = "common/polygons.rs"]
 mod polygons;
-#[path = "common/tree.rs"]
-mod tree;
 
 use bosquet::check::{Program, check};
-use bosquet::derive::{Limits, Options, Progress, derive};
+use bosquet::derive::{Limits, Options, Progress, derive, recorded};
 use bosquet::diag::Diagnostic;
 use bosquet::element::Catalogue;
 use bosquet::geometry::{Area, Polygon};
 use bosquet::layout::{Layout, read_geojson};
 use bosquet::seed::Seed;
 use bosquet::shape::{Derivation, Outcome};
+use bosquet::trace::{TreeOptions, lot_text, tree_text};
 use bosquet::value::Value;
 use bosquet::world::MemoryWorld;
 use glam::DVec2;
@@ -141,7 +140,7 @@ fn threads_change_nothing() {
     let (program, layout) = (garden(), place::layout(city(20), Vec::new()));
     let with = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-        pool.install(|| tree::tree_text(&run(&program, &layout).0))
+        pool.install(|| tree_text(&run(&program, &layout).0, &TreeOptions::default()))
     };
     let one = with(1);
     assert!(one.lines().count() > 500, "the garden is not bare");
@@ -150,11 +149,36 @@ fn threads_change_nothing() {
 }
 
 #[test]
+fn a_record_changes_nothing_and_lacks_nothing() {
+    let (program, layout) = (garden(), place::layout(city(6), Vec::new()));
+    let world = MemoryWorld::default();
+    let options = Options {
+        start: None,
+        seed: Seed(1),
+        set: Vec::new(),
+        catalogue: Catalogue::built_in(),
+        world: &world,
+        limits: Limits::default(),
+    };
+    let (plain, _) = derive(&program, &layout, &options, &Progress::default());
+    let (mut with, _) = recorded(&program, &layout, &options, &Progress::default(), &[0, 1, 2, 3, 4, 5]);
+    for outcome in with.lots.iter_mut().map(|lot| &mut lot.outcome) {
+        let record = outcome.record.take().expect("a record");
+        assert_eq!((record.shapes.len(), record.leaves.len()), (outcome.nodes.len(), outcome.leaves.len()));
+        let silent = record.shapes.iter().skip(1).filter(|passage| passage.trail.is_empty()).count();
+        assert!(silent < record.shapes.len() / 2, "most shapes come out of blocks: {silent}");
+    }
+    let options = TreeOptions::default();
+    assert_eq!(tree_text(&plain, &options), tree_text(&with, &options));
+    assert!(plain.lots.iter().all(|lot| lot.outcome.record.is_none()));
+}
+
+#[test]
 fn an_edit_in_one_lot_leaves_the_others_alone() {
     let program = garden();
     let lots = |regions| {
         let (derivation, _) = run(&program, &place::layout(regions, Vec::new()));
-        let text = |lot| tree::lot_text(&derivation.symbols, lot);
+        let text = |lot| lot_text(&derivation, lot, &TreeOptions::default());
         derivation.lots.iter().map(|lot| (lot.id.to_string(), text(lot))).collect::<Vec<_>>()
     };
     let before = lots(city(12));
@@ -174,7 +198,10 @@ fn one_more_tree_moves_none() {
     let points = |count: usize| {
         let rules =
             format!("Lot --> scatter(surface, {count}, uniform) {{ Tree }} NIL\nTree --> I(birch, adult, rand(7))");
-        tree::tree_text(&run(&sound(&rules), &layout).0).lines().map(str::to_string).collect::<Vec<_>>()
+        tree_text(&run(&sound(&rules), &layout).0, &TreeOptions::default())
+            .lines()
+            .map(str::to_string)
+            .collect::<Vec<_>>()
     };
     let (ten, eleven) = (points(10), points(11));
     assert_eq!(ten[..], eleven[..ten.len()]);
@@ -266,7 +293,14 @@ const WORDS: &[&str] = &[
     "primitiveSphere",
     "primitiveCube",
     "with",
+    ":=",
+    "[",
+    "]",
+    ".+",
+    "comp",
     "style",
+    "extends",
+    "extension",
     "version",
     "alignScopeToAxes",
     "color",
@@ -300,6 +334,9 @@ proptest! {
 
 /// Every operation that takes numbers.
 const CALLS: &[&str] = &[
+    "print([$a : $b : $c])",
+    "print([1, 2; 3, 4][$a, [$b, $c]] .* [$a, $b])",
+    "print(comp(e) { $a : $b | scope.sx > $c = $a | all : $c }[$a : $b])",
     "split(x) { $a : A. | '$b : A. | ~$c : A. }",
     "split(z) { $a : A. | ~$b : A. }*",
     "split(y) { '$a : A. | { ~$b : A. | $c : A. }* }",
@@ -338,7 +375,7 @@ fn survives(rules: &[u8]) {
     let polygon = Polygon::new(&ring, &[]).expect("a ring");
     let layout = place::layout(vec![place::region("lot", polygon)], features);
     let (derivation, derived) = run(&program, &layout);
-    tree::tree_text(&derivation);
+    tree_text(&derivation, &TreeOptions::default());
     let all = diagnostics.iter().chain(&derived);
     all.for_each(|d| assert!(!d.message.is_empty() && !d.message.ends_with('.'), "{}", d.message));
 }

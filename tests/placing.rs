@@ -5,8 +5,6 @@
 mod place;
 #[path = "common/polygons.rs"]
 mod polygons;
-#[path = "common/tree.rs"]
-mod tree;
 
 use bosquet::check::{Program, check};
 use bosquet::derive::{Limits, Options, Progress, derive};
@@ -17,6 +15,7 @@ use bosquet::layout::{Feature, Kind, Layout, Region, Shapes};
 use bosquet::placement::Body;
 use bosquet::seed::Seed;
 use bosquet::shape::{Derivation, Shape, on_plan};
+use bosquet::trace::{TreeOptions, lot_text, tree_text};
 use bosquet::value::Value;
 use bosquet::world::MemoryWorld;
 use glam::{DVec2, DVec3};
@@ -157,7 +156,7 @@ fn threads_change_no_place() {
     let layout = place::layout(regions, features);
     let with = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-        pool.install(|| tree::tree_text(&run(CITY, &layout, 5).0))
+        pool.install(|| tree_text(&run(CITY, &layout, 5).0, &TreeOptions::default()))
     };
     let one = with(1);
     assert!(one.lines().count() > 600, "{} lines", one.lines().count());
@@ -173,7 +172,7 @@ fn an_edit_reaches_as_far_as_its_context() {
             regions[0].attributes.insert("radius".into(), Value::Float(4.0));
         }
         let (derivation, _) = run(CITY, &place::layout(regions, features), 5);
-        derivation.lots.iter().map(|lot| tree::lot_text(&derivation.symbols, lot)).collect::<Vec<_>>()
+        derivation.lots.iter().map(|lot| lot_text(&derivation, lot, &TreeOptions::default())).collect::<Vec<_>>()
     };
     let (before, after) = (lots(false), lots(true));
     let centre = |index: usize| DVec2::new((index % 5) as f64 * 32.0, (index / 5) as f64 * 22.0);

@@ -9,16 +9,15 @@
 mod place;
 #[path = "common/section.rs"]
 mod section;
-#[path = "common/tree.rs"]
-mod tree;
 
-use bosquet::check::{Program, check};
+use bosquet::check::{Program, check_style};
 use bosquet::derive::{Limits, Options, Progress, derive};
 use bosquet::diag::{Diagnostic, Place};
 use bosquet::element::Catalogue;
 use bosquet::seed::Seed;
 use bosquet::shape::Derivation;
 use bosquet::text::number;
+use bosquet::trace::{TreeOptions, tree_text};
 use bosquet::value::Value;
 use bosquet::world::MemoryWorld;
 use section::{Note, Section};
@@ -99,7 +98,7 @@ fn not_in_order(sections: &[Section]) -> Vec<String> {
 fn run(section: &Section) -> Given {
     let files = section.files.iter();
     let world = files.fold(MemoryWorld::default(), |world, file| world.with(file.path.clone(), file.text()));
-    let (program, mut diagnostics) = check(&world, "main.cga");
+    let (program, mut diagnostics) = check_style(&world, "main.cga", section.all("Style").next());
     if section.stage == "check" || diagnostics.iter().any(Diagnostic::is_error) {
         return Given { diagnostics, program, derivation: None };
     }
@@ -198,7 +197,8 @@ fn compare(section: &Section, derivation: &Derivation) -> Vec<String> {
     let prints: Vec<String> = prints.collect();
     same("print", &section.prints().join(" | "), &prints.join(" | "));
     if section.stage == "tree" {
-        let (path, found) = (tests().join("ref").join(format!("{}.txt", section.name)), tree::tree_text(derivation));
+        let (path, found) =
+            (tests().join("ref").join(format!("{}.txt", section.name)), tree_text(derivation, &TreeOptions::default()));
         match updating() {
             true => std::fs::write(&path, &found).expect("writable references"),
             false => same("the tree", &std::fs::read_to_string(&path).unwrap_or_default(), &found),

@@ -1,6 +1,7 @@
 //! The bytes that a run holds, and the most that it needed on the way.
 
-use std::alloc::{GlobalAlloc, Layout, System};
+use mimalloc::MiMalloc;
+use std::alloc::{GlobalAlloc, Layout};
 use std::sync::atomic::{AtomicBool, AtomicIsize, Ordering};
 
 /// Runs with every byte counted: the result, the bytes it holds, and the most that were held on the way.
@@ -13,7 +14,7 @@ pub fn counted<T>(run: impl Fn() -> T) -> (T, isize, isize) {
     (result, LIVE.load(Ordering::Relaxed), PEAK.load(Ordering::Relaxed))
 }
 
-/// The system's allocator, with the bytes asked for counted while [`counted`] runs. (The one place with `unsafe`: an
+/// The command's allocator, with the bytes asked for counted while [`counted`] runs. (The one place with `unsafe`: an
 /// allocator cannot be written without; the library forbids it.)
 struct Counting;
 
@@ -30,20 +31,20 @@ fn note(bytes: isize) {
     }
 }
 
-// SAFETY: every call goes to the system's allocator unchanged; counting touches no memory of the caller.
+// SAFETY: every call goes to the command's allocator unchanged; counting touches no memory of the caller.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, block: Layout) -> *mut u8 {
         note(block.size() as isize);
-        unsafe { System.alloc(block) }
+        unsafe { MiMalloc.alloc(block) }
     }
 
     unsafe fn dealloc(&self, place: *mut u8, block: Layout) {
         note(-(block.size() as isize));
-        unsafe { System.dealloc(place, block) }
+        unsafe { MiMalloc.dealloc(place, block) }
     }
 
     unsafe fn realloc(&self, place: *mut u8, block: Layout, size: usize) -> *mut u8 {
         note(size as isize - block.size() as isize);
-        unsafe { System.realloc(place, block, size) }
+        unsafe { MiMalloc.realloc(place, block, size) }
     }
 }

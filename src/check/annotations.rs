@@ -1,12 +1,12 @@
 //! What annotations say: ranges, choices and descriptions of attributes; start rules and zones of rules.
 
 use crate::check::Checker;
+use crate::check::code::{Code, Kind};
 use crate::check::names::Written;
-use crate::check::program::{Attribute, Code, Kind, Program, Zone};
+use crate::check::program::{Attribute, Zone};
 use crate::diag::Diagnostic;
 use crate::syntax::ast::{Annotation, Arg, Expr, ExprKind, UnaryOp};
 use crate::value::Value;
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// The widest usual context, metres (ξ in Niese et al. 2022, Table 1).
@@ -18,7 +18,10 @@ pub(super) fn describe(attribute: &mut Attribute, annotations: &[Annotation]) {
         match &*annotation.name.text {
             "Description" => attribute.description = annotation.args.first().and_then(|a| text(&a.value)),
             "Range" | "Percent" => range(attribute, &annotation.args),
-            "Enum" => attribute.choices.extend(annotation.args.iter().filter(|a| a.name.is_none()).filter_map(value)),
+            "Enum" => {
+                attribute.choices.extend(annotation.args.iter().filter(|a| a.name.is_none()).filter_map(value));
+                attribute.is_open |= annotation.args.iter().any(is_unrestricted);
+            }
             "Hidden" => attribute.public = attribute.public && !annotation.args.is_empty(),
             _ => {}
         }
@@ -39,6 +42,12 @@ fn range(attribute: &mut Attribute, args: &[Arg]) {
     if let (Some(low), Some(high)) = (low, high) {
         attribute.range = Some((low, high));
     }
+}
+
+/// `restricted = false`: other values are meant to be possible.
+fn is_unrestricted(arg: &Arg) -> bool {
+    let named = arg.name.as_ref().is_some_and(|name| &*name.text == "restricted");
+    named && arg.value.kind == ExprKind::Bool(false)
 }
 
 fn value(arg: &Arg) -> Option<Value> {
@@ -75,7 +84,7 @@ fn word(expr: &Expr) -> Option<Arc<str>> {
 impl Checker {
     /// `@StartRule` and `@Zone` of the main file's rules, and initial values outside their ranges.
     pub(super) fn annotations(&mut self, rules: &[Written]) {
-        for (index, written) in rules.iter().enumerate().filter(|(_, w)| w.module == 0) {
+        for (index, written) in rules.iter().enumerate().filter(|(_, w)| w.is_main()) {
             for annotation in written.annotations() {
                 match &*annotation.name.text {
                     "StartRule" | "Startrule" => self.program.start = self.program.start.or(Some(index as u32)),
@@ -141,75 +150,4 @@ impl Checker {
         }
         self.diagnostics.extend(lints);
     }
-
-    /// The order in which attributes can be evaluated; a circle is an error.
-    pub(super) fn order(&mut self) {
-        let count = self.program.attributes.len();
-        let mut visit = Visit { states: vec![State::New; count], circles: BTreeSet::new(), order: Vec::new() };
-        (0..count as u32).for_each(|slot| visit.from(&self.program, slot));
-        for slot in &visit.circles {
-            let attribute = &self.program.attributes[*slot as usize];
-            let message = format!("the value of `{}` needs itself", attribute.name);
-            self.diagnostics.push(Diagnostic::error("attribute-cycle", attribute.span, message));
-        }
-        self.program.order = visit.order;
-    }
-}
-
-/// Depth-first over what attributes need, without recursion: chains may be as long as files.
-struct Visit {
-    states: Vec<State>,
-    circles: BTreeSet<u32>,
-    order: Vec<u32>,
-}
-
-#[derive(Clone, Copy, PartialEq)]
-enum State {
-    New,
-    /// What it needs is being visited.
-    Open,
-    Done,
-}
-
-impl Visit {
-    fn from(&mut self, program: &Program, slot: u32) {
-        let mut path: Vec<(u32, Vec<u32>)> = Vec::new();
-        let mut next = Some(slot).filter(|slot| self.states[*slot as usize] == State::New);
-        loop {
-            if let Some(slot) = next.take() {
-                self.states[slot as usize] = State::Open;
-                path.push((slot, needs(program, slot)));
-            }
-            let Some((slot, open)) = path.last_mut() else { return };
-            match open.pop() {
-                Some(needed) => match self.states[needed as usize] {
-                    State::New => next = Some(needed),
-                    State::Open => drop(self.circles.insert(needed)),
-                    State::Done => {}
-                },
-                None => {
-                    self.states[*slot as usize] = State::Done;
-                    self.order.push(*slot);
-                    path.pop();
-                }
-            }
-        }
-    }
-}
-
-/// The attributes that the value of one needs, by itself or through functions.
-fn needs(program: &Program, slot: u32) -> Vec<u32> {
-    let (mut found, mut seen) = (Vec::new(), BTreeSet::new());
-    let mut open = vec![&program.attributes[slot as usize].initial];
-    while let Some(code) = open.pop() {
-        match code {
-            Code::Attribute(slot) => found.push(*slot),
-            Code::Function(index, _) if seen.insert(*index) => {
-                open.extend(program.functions.get(*index as usize).map(|function| &function.value));
-            }
-            _ => {}
-        }
-        open.extend(code.parts());
-    }
-    found
 }

@@ -1,9 +1,10 @@
 //! Successors: operations with their blocks, rule calls, leaves.
 
 use crate::check::Checker;
-use crate::check::program::{Application, Block, Body, Code, Cut, Selector, Step, Successor, Test};
+use crate::check::code::Code;
+use crate::check::program::{Application, Block, Body, Cut, Selector, Step, Successor, Test};
 use crate::diag::{Diagnostic, Span};
-use crate::ops::{self, BlockKind, OPERATIONS, Operation, Origin, Selectors, Spec, UNBUILT_OPERATIONS};
+use crate::ops::{self, BlockKind, Gather, OPERATIONS, Operation, Origin, Selectors, Spec, UNBUILT_OPERATIONS};
 use crate::syntax::ast::{self, Arg, Call, Content, Entry, Expr, ExprKind, Op, Separator};
 use crate::text::nearest;
 use std::sync::Arc;
@@ -31,14 +32,20 @@ impl Checker {
         match op {
             Op::Call(call) => self.call(call),
             Op::Push(body, _) => Some(Step::Push(self.body(body))),
-            Op::Dynamic { import, .. } => self.unbuilt_step(import.span, "dynamic imports"),
-            Op::Inline { span, .. } => self.unbuilt_step(*span, "`inline`"),
+            Op::Dynamic { import, overrides, call } => self.dynamic(import, overrides, call),
+            Op::Inline { mode, target, span } => self.inline(mode, target, *span),
         }
     }
 
-    fn unbuilt_step(&mut self, span: Span, what: &str) -> Option<Step> {
-        self.not_yet(span, what);
-        None
+    /// `inline(mode) target`: what stands behind it is derived inside the rule.
+    fn inline(&mut self, mode: &[Arg], target: &[Op], span: Span) -> Option<Step> {
+        let operation = ops::find("inline")?;
+        let (args, arg_spans) = self.arguments(operation.spec, mode, span);
+        let ready = Application::ready(operation, &args);
+        let (args, arg_spans) = (args.into(), arg_spans.into());
+        let body = Body::Steps(target.iter().filter_map(|op| self.step(op)).collect());
+        let (block, bodies) = (Block::Operands, [body].into());
+        Some(Step::Apply(Box::new(Application { operation, ready, args, arg_spans, block, bodies, span })))
     }
 
     /// An operation, a rule or a leaf: CityEngine's operations first, then the file's rules, then ours, then leaves.
@@ -81,7 +88,7 @@ impl Checker {
     }
 
     /// A name that is neither operation nor rule: a leaf, or a slip of the pen.
-    fn stranger(&mut self, call: &Call) -> Option<Step> {
+    pub(super) fn stranger(&mut self, call: &Call) -> Option<Step> {
         let name = &call.name.text;
         if self.is_lost(name) {
             return None;
@@ -99,7 +106,7 @@ impl Checker {
             self.tell(Diagnostic::error("arguments", call.span, message));
             return None;
         }
-        if name.contains('.') && !call.leaf {
+        if name.contains('.') && !call.leaf && !self.leads_into_import(name) {
             let message = format!("there is no rule `{name}`");
             self.tell(Diagnostic::error("unknown-name", span, message).did_you_mean(near.as_deref()));
             return None;
@@ -129,14 +136,14 @@ impl Checker {
         crate::element::Catalogue::built_in().cover(name).is_some()
     }
 
-    fn successor(&mut self, call: &Call, rule: Option<u32>) -> Step {
+    pub(super) fn successor(&mut self, call: &Call, rule: Option<u32>) -> Step {
         if let Some(block) = call.blocks.first() {
             let message = format!("`{}` is a rule: it takes no block", call.name.text);
             self.tell(Diagnostic::error("block", block.span, message));
         }
         let symbol = self.symbol(&call.name.text);
         let args = call.args.iter().map(|arg| self.positional(arg)).collect();
-        Step::Successor(Successor { symbol, rule, args, span: call.span })
+        Step::Successor(Successor { symbol, rule, args, fresh: None, span: call.span })
     }
 
     fn positional(&mut self, arg: &Arg) -> Code {
@@ -147,7 +154,7 @@ impl Checker {
         self.value(&arg.value).0
     }
 
-    fn rule_named(&self, name: &Arc<str>, count: usize) -> Option<u32> {
+    pub(super) fn rule_named(&self, name: &Arc<str>, count: usize) -> Option<u32> {
         let (module, bare) = self.path(name);
         if &*bare == "start" && module != self.module {
             return self.start_of(module);
@@ -157,8 +164,8 @@ impl Checker {
 
     /// `import.start`: the start rule of an imported file.
     fn start_of(&self, module: usize) -> Option<u32> {
-        let items = self.loaded.modules[module].tree.items.iter();
-        let mut start = items.filter_map(|item| match &item.kind {
+        let module_of = &self.loaded.modules[module];
+        let mut start = module_of.items.iter().filter_map(|item| match &module_of.tree.items[*item].kind {
             ast::ItemKind::Rule(rule) if rule.mark == Some(ast::RuleMark::Start) => Some(rule.name.text.clone()),
             _ => None,
         });
@@ -210,6 +217,7 @@ impl Checker {
                 let cuts = self.cuts(&block.entries, &mut bodies);
                 Block::Cuts(if block.repeat { Box::new([Cut::Repeat(cuts)]) } else { cuts })
             }
+            (BlockKind::Perimeter, Some(_)) => self.perimeter(operation.spec, &call.blocks, &mut bodies),
             (BlockKind::Selectors(extra), Some(block)) => {
                 self.no_repeat(operation.spec, block);
                 let entries = block.entries.iter();
@@ -220,14 +228,20 @@ impl Checker {
                 self.single_body(operation.spec, block, &mut bodies);
                 Block::Body
             }
+            (BlockKind::Operands(count), Some(block)) => {
+                self.no_repeat(operation.spec, block);
+                self.inner_bodies(operation.spec, count, block, &mut bodies);
+                Block::Operands
+            }
         };
         if bodies.len() > usize::from(u16::MAX) {
             let parts = crate::text::counted(bodies.len(), "part");
             self.tell(Diagnostic::error("block", call.span, format!("a block of {parts} is more than can be derived")));
         }
         let span = call.span;
-        let (args, arg_spans) = (args.into(), arg_spans.into());
-        Step::Apply(Box::new(Application { operation, args, arg_spans, block, bodies: bodies.into(), span }))
+        let ready = Application::ready(operation, &args);
+        let (args, arg_spans, bodies) = (args.into(), arg_spans.into(), bodies.into());
+        Step::Apply(Box::new(Application { operation, ready, args, arg_spans, block, bodies, span }))
     }
 
     /// Once for all files: what plans do not show.
@@ -259,7 +273,20 @@ impl Checker {
         }
     }
 
-    fn cuts(&mut self, entries: &[Entry], bodies: &mut Vec<Body>) -> Box<[Cut]> {
+    fn inner_bodies(&mut self, spec: &Spec, count: usize, block: &ast::Block, bodies: &mut Vec<Body>) {
+        let plain = |entry: &Entry| match (&entry.head, &entry.content) {
+            (None, Content::Body(body)) => Some(body.clone()),
+            _ => None,
+        };
+        let given: Vec<ast::Body> = block.entries.iter().filter_map(plain).collect();
+        if given.len() != count || block.entries.len() != count {
+            let message = format!("the block of `{}` has {}", spec.name, crate::text::counted(count, "part"));
+            self.tell(Diagnostic::error("block", block.span, message).hint(format!("as in `{}`", spec.usage())));
+        }
+        bodies.extend(given.iter().map(|body| self.body(body)));
+    }
+
+    pub(super) fn cuts(&mut self, entries: &[Entry], bodies: &mut Vec<Body>) -> Box<[Cut]> {
         entries.iter().filter_map(|entry| self.cut(entry, bodies)).collect()
     }
 
@@ -291,7 +318,7 @@ impl Checker {
         }
     }
 
-    fn selector(
+    pub(super) fn selector(
         &mut self,
         spec: &Spec,
         extra: &'static [&'static str],
@@ -304,16 +331,18 @@ impl Checker {
             self.tell(Diagnostic::error("block", entry.span, message).hint(hint));
             return None;
         };
-        if head.separator == Separator::Connected {
-            self.not_yet(head.key.span, "the separator `=:`");
-        }
         let test = self.test(extra, &head.key);
         let body = self.body(body);
         bodies.push(body);
-        Some(Selector { test: test?, together: head.separator != Separator::Each })
+        let gather = match head.separator {
+            Separator::Each => Gather::Each,
+            Separator::All => Gather::All,
+            Separator::Connected => Gather::Connected,
+        };
+        Some(Selector { test: test?, gather })
     }
 
-    fn test(&mut self, extra: &'static [&'static str], key: &Expr) -> Option<Test> {
+    pub(super) fn test(&mut self, extra: &'static [&'static str], key: &Expr) -> Option<Test> {
         match &key.kind {
             ExprKind::Call(word, None) if &**word == "remainder" && extra.contains(&"remainder") => {
                 Some(Test::Remainder)

@@ -1,7 +1,7 @@
 //! Names in expressions, and arguments put in the order of the parameters.
 
 use crate::check::Checker;
-use crate::check::program::{Code, Kind};
+use crate::check::code::{Code, Kind};
 use crate::diag::{Diagnostic, Span};
 use crate::functions;
 use crate::ops::{Param, ParamKind, Spec, UNBUILT_FUNCTIONS};
@@ -17,6 +17,9 @@ impl Checker {
             return (Code::Value(Value::Word(name.clone())), Kind::Text);
         }
         let (module, bare) = self.path(name);
+        if let Some(found) = self.shared_with_itself(module, &bare, args) {
+            return found;
+        }
         if let Some(found) = self.own_name(module, &bare, args, module == self.module) {
             return found;
         }
@@ -45,9 +48,22 @@ impl Checker {
         (module, rest.into())
     }
 
+    /// Whether a name is one of an import, whether or not it means anything there.
+    pub(super) fn leads_into_import(&self, name: &Arc<str>) -> bool {
+        !self.path(name).1.contains('.')
+    }
+
     /// Whether a name leads into an import that could not be loaded.
     pub(super) fn is_lost(&self, name: &str) -> bool {
         name.split_once('.').is_some_and(|(import, _)| self.loaded.modules[self.module].missing.contains(import))
+    }
+
+    /// `attr width = plants.width` is that attribute itself, since the import shares it by name: its file's own value
+    /// is meant.
+    fn shared_with_itself(&mut self, module: usize, name: &Arc<str>, args: Option<&[Arg]>) -> Option<(Code, Kind)> {
+        let slot = self.loaded.modules[module].slots.get(name).copied();
+        let is_itself = slot.is_some() && slot == self.initialised && module != self.module && args.is_none();
+        if is_itself { self.own_value(module, name) } else { None }
     }
 
     /// A parameter, attribute or function of the files.
@@ -80,14 +96,20 @@ impl Checker {
                 signature => diagnostic.hint(format!("it is called as `{}{signature}`", function.name)),
             });
         }
-        let codes: Box<[Code]> = args
-            .iter()
-            .map(|arg| match &arg.value.kind {
-                ExprKind::Call(name, args) => self.name(name, args.as_deref(), arg.value.span, function.words).0,
-                _ => self.value(&arg.value).0,
-            })
-            .collect();
-        (Code::Builtin(function, codes, span), result(function))
+        let values = args.iter().enumerate().map(|(index, arg)| match &arg.value.kind {
+            ExprKind::Call(name, args) => {
+                let words = if index < function.words_within { function.words } else { &[] };
+                self.name(name, args.as_deref(), arg.value.span, words)
+            }
+            _ => self.value(&arg.value),
+        });
+        let (codes, kinds): (Vec<Code>, Vec<Kind>) = values.unzip();
+        let kind = result(function, kinds.first().copied().unwrap_or(Kind::Unknown));
+        let known: Option<Vec<Value>> = codes.iter().map(|code| code.known().cloned()).collect();
+        match known.and_then(|args| functions::folded(function, &args)) {
+            Some(value) => (Code::Value(value), kind),
+            None => (Code::Builtin(function, codes.into(), span), kind),
+        }
     }
 
     fn unknown(&mut self, name: &Arc<str>, call: bool, span: Span) -> (Code, Kind) {
@@ -273,7 +295,7 @@ impl Checker {
         if let Some(slot) = self.loaded.modules[module].slots.get(&bare) {
             return Code::Value(Value::Float(f64::from(*slot)));
         }
-        if functions::find(name).is_some_and(|f| f.settable) {
+        if self.is_lost(name) || functions::find(name).is_some_and(|f| f.settable) {
             return Code::Value(Value::Word(name.clone()));
         }
         let settable = functions::all().filter(|f| f.settable).map(|f| f.name);
@@ -310,7 +332,7 @@ fn is_word(value: &Expr, words: &[&str]) -> bool {
 /// Whether a bare word is one of the language's own names, to be read rather than to stand for itself: where a word is
 /// wanted (`report(inside, 1)`), only those that give a text.
 fn is_read(name: &str, kind: ParamKind) -> bool {
-    functions::find(name).is_some_and(|f| kind != ParamKind::Word || result(f) == Kind::Text)
+    functions::find(name).is_some_and(|f| kind != ParamKind::Word || f.gives == functions::Gives::Text)
 }
 
 /// `it is called as …`, from the declaration.
@@ -326,8 +348,8 @@ fn arity(least: usize, most: usize) -> String {
     }
 }
 
-/// What a built-in function gives, as expressions are checked.
-fn result(function: &functions::Function) -> Kind {
+/// What a built-in function gives, as expressions are checked, where its first argument is of some kind.
+fn result(function: &functions::Function, first: Kind) -> Kind {
     match function.gives {
         functions::Gives::Number => Kind::Number,
         functions::Gives::Truth => Kind::Truth,
@@ -335,6 +357,12 @@ fn result(function: &functions::Function) -> Kind {
         functions::Gives::Numbers => Kind::Numbers,
         functions::Gives::Truths => Kind::Truths,
         functions::Gives::Texts => Kind::Texts,
-        functions::Gives::Same => Kind::Unknown,
+        functions::Gives::Same => first,
+        functions::Gives::TruthOfEach => match first {
+            Kind::Numbers | Kind::Truths | Kind::Texts => Kind::Truths,
+            Kind::Number | Kind::Truth | Kind::Text => Kind::Truth,
+            Kind::Unknown => Kind::Unknown,
+        },
+        functions::Gives::Any => Kind::Unknown,
     }
 }

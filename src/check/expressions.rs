@@ -1,7 +1,7 @@
 //! Expressions: names resolved, constants folded, kinds checked as far as they can be seen.
 
 use crate::check::Checker;
-use crate::check::program::{Code, Kind};
+use crate::check::code::{Code, Kind};
 use crate::diag::{Diagnostic, Span};
 use crate::syntax::ast::{BinaryOp, Expr, ExprKind, SizeMark, UnaryOp};
 use crate::value::{Size, Value};
@@ -16,28 +16,21 @@ impl Checker {
             ExprKind::Call(name, args) => self.name(name, args.as_deref(), expr.span, &[]),
             ExprKind::Sized(mark, inner) => (self.sized(*mark, inner, expr.span), Kind::Unknown),
             ExprKind::Unary(op, inner) => self.unary(*op, inner, expr.span),
-            ExprKind::Binary { op, elementwise, left, right } => {
-                if *elementwise {
-                    self.not_yet(expr.span, "element-wise operators");
-                }
-                self.binary(*op, left, right, expr.span)
-            }
+            ExprKind::Binary { op, elementwise: true, left, right } => self.each(*op, left, right, expr.span),
+            ExprKind::Binary { op, elementwise: false, left, right } => self.binary(*op, left, right, expr.span),
             ExprKind::Case { arms, otherwise } => self.case(arms, otherwise, expr.span),
             ExprKind::Chance { arms, otherwise } => self.chance(arms, otherwise, expr.span),
-            ExprKind::Array(_) | ExprKind::Range { .. } => self.not_yet(expr.span, "arrays"),
-            ExprKind::Index(..) => self.not_yet(expr.span, "array indices"),
-            ExprKind::Comp { .. } => self.not_yet(expr.span, "`comp` as a function"),
+            ExprKind::Array(rows) => self.array(rows, expr.span),
+            ExprKind::Range { from, step, to } => self.range(from, step.as_deref(), to, expr.span),
+            ExprKind::Index(array, indices) => self.index(array, indices, expr.span),
+            ExprKind::Comp { args, entries } => self.measure(args, entries, expr.span),
         }
     }
 
     /// An expression that must be true or false.
     pub(super) fn condition(&mut self, expr: &Expr) -> Code {
         let (code, kind) = self.value(expr);
-        if !matches!(kind, Kind::Truth | Kind::Unknown) {
-            let message = format!("a condition must be true or false, found {}", words(kind));
-            let hint = "compare it, as in `x > 0` or `name == \"oak\"`";
-            self.tell(Diagnostic::error("kind", expr.span, message).hint(hint));
-        }
+        self.expect_truth(kind, expr.span);
         code
     }
 
@@ -58,29 +51,46 @@ impl Checker {
         }
     }
 
-    /// Says that something is parsed and not evaluated yet.
-    pub(super) fn not_yet(&mut self, span: Span, what: &str) -> (Code, Kind) {
-        let verb = if what.ends_with('s') { "are" } else { "is" };
-        self.tell(Diagnostic::error("unbuilt", span, format!("{what} {verb} parsed, but not evaluated yet")));
-        (Code::Value(Value::Float(0.0)), Kind::Unknown)
+    fn expect_truth(&mut self, kind: Kind, span: Span) {
+        if !matches!(kind, Kind::Truth | Kind::Unknown) {
+            let message = format!("a condition must be true or false, found {}", words(kind));
+            let hint = "compare it, as in `x > 0` or `name == \"oak\"`";
+            self.tell(Diagnostic::error("kind", span, message).hint(hint));
+        }
     }
 
     fn expect_number(&mut self, kind: Kind, span: Span) {
         if !matches!(kind, Kind::Number | Kind::Unknown) {
             let message = format!("a number is wanted here, found {}", words(kind));
-            self.tell(Diagnostic::error("kind", span, message));
+            let diagnostic = Diagnostic::error("kind", span, message);
+            self.tell(match kind.is_array() {
+                true => diagnostic.hint("operators with a dot before them, `.+`, work element by element"),
+                false => diagnostic,
+            });
         }
     }
 
     fn unary(&mut self, op: UnaryOp, inner: &Expr, span: Span) -> (Code, Kind) {
         match op {
-            UnaryOp::Not => (Code::Not(Box::new(self.condition(inner)), span), Kind::Truth),
-            UnaryOp::Plus => (self.number(inner), Kind::Number),
-            UnaryOp::Minus => {
-                let code = self.number(inner);
-                match code.known().and_then(Value::as_float) {
-                    Some(number) => (Code::Value(Value::Float(-number)), Kind::Number),
-                    None => (Code::Negate(Box::new(code), span), Kind::Number),
+            UnaryOp::Not => {
+                let (code, kind) = self.value(inner);
+                match kind {
+                    Kind::Truths => (Code::Not(Box::new(code), span), Kind::Truths),
+                    _ => {
+                        self.expect_truth(kind, inner.span);
+                        (Code::Not(Box::new(code), span), if kind == Kind::Unknown { kind } else { Kind::Truth })
+                    }
+                }
+            }
+            UnaryOp::Plus | UnaryOp::Minus => {
+                let (code, kind) = self.value(inner);
+                if kind != Kind::Numbers {
+                    self.expect_number(kind, inner.span);
+                }
+                match (op, code.known().and_then(Value::as_float)) {
+                    (UnaryOp::Plus, _) => (code, kind),
+                    (_, Some(number)) => (Code::Value(Value::Float(-number)), Kind::Number),
+                    (_, None) => (Code::Negate(Box::new(code), span), kind),
                 }
             }
         }
@@ -96,13 +106,17 @@ impl Checker {
             _ => {
                 let ((a, a_kind), (b, b_kind)) = (self.value(left), self.value(right));
                 let kind = self.operands(op, (a_kind, left.span), (b_kind, right.span));
+                if matches!(op, B::Equal | B::NotEqual) {
+                    self.compared(&a, &b, right);
+                    self.compared(&b, &a, left);
+                }
                 (Code::Binary(op, Box::new((a, b)), span), kind)
             }
         }
     }
 
     /// What an operator gives for operands of these kinds; operands that cannot be are reported.
-    fn operands(&mut self, op: BinaryOp, left: (Kind, Span), right: (Kind, Span)) -> Kind {
+    pub(super) fn operands(&mut self, op: BinaryOp, left: (Kind, Span), right: (Kind, Span)) -> Kind {
         use BinaryOp as B;
         match op {
             B::Add if left.0 == Kind::Text || right.0 == Kind::Text => Kind::Text,

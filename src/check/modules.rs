@@ -3,23 +3,32 @@
 //! An attribute of the importing file with the name of an attribute of the imported one *is* that attribute: both
 //! names lead to one slot, unless the import protects it or gives it a value of its own.
 
-use crate::check::program::{Attribute, Code, Kind};
+use crate::check::code::{Code, Kind};
+use crate::check::program::Attribute;
+use crate::check::styles::Styles;
 use crate::diag::{Diagnostic, Place, Severity, Span};
 use crate::library;
 use crate::syntax::ast::{self, FunctionKind, ItemKind};
 use crate::syntax::{Source, parse};
+use crate::value::{Array, Cells, Value};
 use crate::world::{World, join, rules};
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// The deepest chain of imports.
 const DEEPEST_IMPORT: usize = 32;
+
+/// The most imports of all files together: each has names and attributes of its own.
+const MOST_IMPORTS: usize = 4096;
 
 /// Files, instances and slots, before names are resolved in bodies.
 #[derive(Default)]
 pub(super) struct Loaded {
     /// Every file once.
     pub files: Vec<(Source, Arc<ast::File>)>,
+    /// The styles of each file.
+    pub styles: Vec<Styles>,
     /// Every instance; the main file's is the first.
     pub modules: Vec<Module>,
     /// Every slot; initial values are filled in later.
@@ -45,6 +54,10 @@ pub(super) struct Module {
     pub file: u16,
     /// Its tree.
     pub tree: Arc<ast::File>,
+    /// The items that count under its style.
+    pub items: Vec<usize>,
+    /// The slots that came with it and its imports.
+    pub own: Range<u32>,
     /// How the user calls it: `a.b.`; empty for the main file.
     pub prefix: String,
     /// Its imports by name.
@@ -60,13 +73,14 @@ pub(super) struct Module {
 /// A rule that stands in for an imported one: its module, item, and the override where it is one.
 pub(super) type Replacement = (usize, usize, Option<usize>);
 
-/// Loads `path` and what it imports.
-pub(super) fn load(world: &dyn World, path: &str) -> Loaded {
+/// Loads `path`, its definitions as `style` has them, and what it imports.
+pub(super) fn load(world: &dyn World, path: &str, style: Option<&str>) -> Loaded {
     let mut loaded = Loaded::default();
     match rules(world, path) {
         Ok(bytes) => {
             let file = loaded.file(path, &bytes);
-            loaded.instance(world, file, String::new(), &BTreeMap::new(), &[]);
+            let style = style.map_or(0, |style| loaded.main_style(file, style));
+            loaded.instance(world, file, String::new(), &BTreeMap::new(), &[], style);
         }
         Err(error) => loaded.diagnostics.push(Diagnostic::new(Severity::Error, "file", Place::Run, error.to_string())),
     }
@@ -83,8 +97,39 @@ impl Loaded {
         let source = Source::new(path, bytes);
         let (tree, errors) = parse(index, &source);
         self.diagnostics.extend(errors);
+        let mut styles = Styles::of(&tree);
+        self.diagnostics.append(&mut styles.diagnostics);
+        self.styles.push(styles);
         self.files.push((source, Arc::new(tree)));
         index
+    }
+
+    /// The style of that name in the main file.
+    fn main_style(&mut self, file: u16, name: &str) -> usize {
+        let styles = &self.styles[file as usize];
+        styles.find(name).unwrap_or_else(|| {
+            let message = format!("`{}` has no style `{name}`", self.files[file as usize].0.path());
+            let diagnostic = Diagnostic::new(Severity::Error, "unknown-name", Place::Run, message);
+            self.diagnostics.push(styles.advise(diagnostic, name));
+            0
+        })
+    }
+
+    /// The style that an import asks for.
+    fn import_style(&mut self, file: u16, import: &ast::Import) -> usize {
+        let Some(name) = import.styles.first() else { return 0 };
+        if let Some(second) = import.styles.get(1) {
+            let message = format!("an import has one style: `{}` counts here", name.text);
+            let hint = "import the file once more under another name to have another of its styles";
+            self.diagnostics.push(Diagnostic::lint("style", second.span, message).hint(hint));
+        }
+        let styles = &self.styles[file as usize];
+        styles.find(&name.text).unwrap_or_else(|| {
+            let message = format!("`{}` has no style `{}`", self.files[file as usize].0.path(), name.text);
+            let diagnostic = Diagnostic::error("unknown-name", name.span, message);
+            self.diagnostics.push(styles.advise(diagnostic, &name.text));
+            0
+        })
     }
 
     /// A new instance of a file. `outer` are the slots that propagate into it, `chain` the files that import it.
@@ -95,13 +140,18 @@ impl Loaded {
         prefix: String,
         outer: &BTreeMap<Arc<str>, u32>,
         chain: &[u16],
+        style: usize,
     ) -> usize {
         let index = self.modules.len();
         let tree = self.files[file as usize].1.clone();
-        let slots = self.declare(index, &tree, &prefix, outer);
+        let items = self.styles[file as usize].items(&tree, style);
+        let first = self.attributes.len() as u32;
+        let slots = self.declare(index, file, &items, &prefix, outer);
         self.modules.push(Module {
             file,
             tree: tree.clone(),
+            items: items.clone(),
+            own: first..first,
             prefix,
             imports: BTreeMap::new(),
             missing: BTreeSet::new(),
@@ -109,17 +159,15 @@ impl Loaded {
             replaced: BTreeMap::new(),
         });
         let chain: Vec<u16> = chain.iter().copied().chain([file]).collect();
-        for (item, definition) in tree.items.iter().enumerate() {
-            if let ItemKind::Style { name, .. } = &definition.kind {
-                self.error("unbuilt", name.span, "styles are parsed, but not derived yet".into());
-            }
-            if let ItemKind::Import(import) = &definition.kind
-                && self.import(world, index, item, import, &chain).is_none()
+        for item in &items {
+            if let ItemKind::Import(import) = &tree.items[*item].kind
+                && self.import(world, index, *item, import, &chain).is_none()
             {
                 self.modules[index].missing.insert(import.name.text.clone());
             }
         }
-        self.replace_rules(index, &tree);
+        self.modules[index].own.end = self.attributes.len() as u32;
+        self.replace_rules(index);
         index
     }
 
@@ -127,18 +175,22 @@ impl Loaded {
     fn declare(
         &mut self,
         module: usize,
-        tree: &Arc<ast::File>,
+        file: u16,
+        items: &[usize],
         prefix: &str,
         outer: &BTreeMap<Arc<str>, u32>,
     ) -> BTreeMap<Arc<str>, u32> {
+        let tree = &self.files[file as usize].1.clone();
         let mut slots = BTreeMap::new();
-        for (item, definition) in tree.items.iter().enumerate() {
-            let ItemKind::Function(function) = &definition.kind else { continue };
-            if function.kind == FunctionKind::Function || function.params.is_some() {
+        for item in items.iter().copied() {
+            let ItemKind::Function(function) = &tree.items[item].kind else { continue };
+            if !has_slot(function) {
                 continue;
             }
             let name = &function.name.text;
-            let outer_slot = outer.get(name).filter(|_| function.kind == FunctionKind::Attr);
+            // What a style has redefined is the style's, whatever the importer has under that name.
+            let redefined = !self.styles[file as usize].is_default(item);
+            let outer_slot = outer.get(name).filter(|_| function.kind == FunctionKind::Attr && !redefined);
             if slots.contains_key(name) {
                 let message = format!("`{name}` is defined twice");
                 self.diagnostics.push(
@@ -163,12 +215,13 @@ impl Loaded {
         self.attributes.push(Attribute {
             name: format!("{prefix}{}", function.name.text).into(),
             public: function.kind == FunctionKind::Attr,
-            initial: Code::Value(crate::value::Value::Float(0.0)),
+            initial: Code::Value(nothing(function)),
             kind: Kind::Unknown,
             context: None,
             description: None,
             range: None,
             choices: Vec::new(),
+            is_open: false,
             span: function.name.span,
         });
         self.initials.push(Some((module, tree.clone(), Initial::Item(item))));
@@ -208,13 +261,15 @@ impl Loaded {
             self.error("import-cycle", span, format!("the imports go in a circle: {}", names.join(" → ")));
             return None;
         }
-        if let Some(style) = import.styles.first() {
-            self.error("unbuilt", style.span, "styles are parsed, but not derived yet".into());
+        if self.modules.len() >= MOST_IMPORTS {
+            self.error("import", span, format!("there are more than {MOST_IMPORTS} imports in all"));
+            return None;
         }
+        let style = self.import_style(file, import);
         let outer = self.propagated(module, import);
         let prefix = format!("{}{}.", self.modules[module].prefix, import.name.text);
-        let inner = self.instance(world, file, prefix, &outer, chain);
-        self.override_attributes(module, item, import, inner);
+        let inner = self.instance(world, file, prefix, &outer, chain, style);
+        self.override_all(module, item, import, inner);
         if self.modules[module].imports.insert(import.name.text.clone(), inner).is_some() {
             self.error("defined-twice", import.name.span, format!("`{}` is imported twice", import.name.text));
         }
@@ -237,53 +292,25 @@ impl Loaded {
         slots.iter().filter(|(name, _)| !held(name)).map(|(name, slot)| (name.clone(), *slot)).collect()
     }
 
-    fn override_attributes(&mut self, module: usize, item: usize, import: &ast::Import, inner: usize) {
-        for (number, given) in import.overrides.iter().flatten().enumerate() {
-            match given {
-                ast::Override::Attribute(name, _) => match self.modules[inner].slots.get(&name.text) {
-                    Some(slot) => {
-                        let tree = self.modules[module].tree.clone();
-                        self.initials[*slot as usize] = Some((module, tree, Initial::Override(item, number)));
-                        self.attributes[*slot as usize].public = false;
-                    }
-                    None => self.unknown_attribute(inner, name),
-                },
-                ast::Override::Protect(name) if !self.modules[inner].slots.contains_key(&name.text) => {
-                    self.unknown_attribute(inner, name);
-                }
-                ast::Override::Protect(_) => {}
-                ast::Override::Rule(rule) => {
-                    let key = (rule.name.text.clone(), rule.params.as_ref().map_or(0, Vec::len));
-                    self.modules[inner].replaced.insert(key, (module, item, Some(number)));
-                }
-            }
-        }
-    }
-
-    /// `import.Rule --> …` puts a rule in place of an imported one.
-    fn replace_rules(&mut self, module: usize, tree: &ast::File) {
-        for (item, definition) in tree.items.iter().enumerate() {
-            let ItemKind::Rule(rule) = &definition.kind else { continue };
-            let Some((import, name)) = rule.name.text.split_once('.') else { continue };
-            match self.modules[module].imports.get(import).copied() {
-                Some(inner) => {
-                    let key = (name.into(), rule.params.as_ref().map_or(0, Vec::len));
-                    self.modules[inner].replaced.insert(key, (module, item, None));
-                }
-                None => self.error("unknown-name", rule.name.span, format!("there is no import `{import}`")),
-            }
-        }
-    }
-
-    fn unknown_attribute(&mut self, inner: usize, name: &ast::Name) {
-        let file = self.files[self.modules[inner].file as usize].0.path();
-        let near = crate::text::nearest(&name.text, self.modules[inner].slots.keys().map(|k| &**k));
-        let message = format!("`{file}` has no attribute `{}`", name.text);
-        let diagnostic = Diagnostic::error("unknown-name", name.span, message).did_you_mean(near);
-        self.diagnostics.push(diagnostic);
-    }
-
-    fn error(&mut self, code: &'static str, span: Span, message: String) {
+    pub(super) fn error(&mut self, code: &'static str, span: Span, message: String) {
         self.diagnostics.push(Diagnostic::error(code, span, message));
+    }
+}
+
+/// What a slot holds before its expression is known: of `attr name(index)` an empty list.
+fn nothing(function: &ast::Function) -> Value {
+    match function.params {
+        Some(_) => Value::Array(Arc::new(Array::row(Cells::Numbers(Vec::new())))),
+        None => Value::Float(0.0),
+    }
+}
+
+/// Whether a definition is evaluated once for a lot, and so has a place among the attributes: `attr name(index)` has
+/// one for the list that the layout may give.
+pub(super) fn has_slot(function: &ast::Function) -> bool {
+    match function.kind {
+        FunctionKind::Attr => true,
+        FunctionKind::Const => function.params.is_none(),
+        FunctionKind::Function => false,
     }
 }

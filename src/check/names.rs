@@ -40,6 +40,11 @@ impl Written {
         std::iter::once(self.rule()).chain(self.more.iter().map(|item| rule_at(&self.tree, *item, None)))
     }
 
+    /// Whether it is a rule of the main file itself, so that a region may begin with it.
+    pub fn is_main(&self) -> bool {
+        self.module == 0 && self.given.is_none() && !self.rule().name.text.contains('.')
+    }
+
     /// The annotations before it.
     pub fn annotations(&self) -> &[ast::Annotation] {
         match self.given {
@@ -71,25 +76,26 @@ pub(super) type Definition = (usize, Arc<ast::File>, usize);
 pub(super) fn number(modules: &[Module]) -> (Names, Vec<Written>, Vec<Definition>, Vec<Repeated>) {
     let (mut names, mut rules, mut functions, mut repeated) = (Names::default(), Vec::new(), Vec::new(), Vec::new());
     for (index, module) in modules.iter().enumerate() {
-        names.rules.push(number_rules(index, module, &mut rules, &mut repeated));
+        names.rules.push(number_rules(modules, index, &mut rules, &mut repeated));
         names.functions.push(number_functions(index, module, &mut functions, &mut repeated));
     }
     (names, rules, functions, repeated)
 }
 
 fn number_rules(
+    modules: &[Module],
     index: usize,
-    module: &Module,
     rules: &mut Vec<Written>,
     repeated: &mut Vec<Repeated>,
 ) -> BTreeMap<(Arc<str>, usize), u32> {
+    let module = &modules[index];
     let mut known: BTreeMap<(Arc<str>, usize), u32> = BTreeMap::new();
-    for (item, definition) in module.tree.items.iter().enumerate() {
-        let ItemKind::Rule(rule) = &definition.kind else { continue };
-        if rule.name.text.contains('.') {
+    for item in module.items.iter().copied() {
+        let ItemKind::Rule(rule) = &module.tree.items[item].kind else { continue };
+        let key = (rule.name.text.clone(), rule.params.as_ref().map_or(0, Vec::len));
+        if rule.name.text.contains('.') || module.replaced.contains_key(&key) {
             continue;
         }
-        let key = (rule.name.text.clone(), rule.params.as_ref().map_or(0, Vec::len));
         match known.get(&key) {
             Some(first) if both_papers(rules[*first as usize].rule(), rule) => rules[*first as usize].more.push(item),
             Some(_) => repeated.push(rule.name.clone()),
@@ -98,6 +104,11 @@ fn number_rules(
                 rules.push(Written { module: index, tree: module.tree.clone(), item, given: None, more: Vec::new() });
             }
         }
+    }
+    for (key, (outer, item, given)) in &module.replaced {
+        known.insert(key.clone(), rules.len() as u32);
+        let tree = modules[*outer].tree.clone();
+        rules.push(Written { module: *outer, tree, item: *item, given: *given, more: Vec::new() });
     }
     known
 }
@@ -115,8 +126,8 @@ fn number_functions(
     repeated: &mut Vec<Repeated>,
 ) -> BTreeMap<(Arc<str>, usize), u32> {
     let mut known = BTreeMap::new();
-    for (item, definition) in module.tree.items.iter().enumerate() {
-        let ItemKind::Function(function) = &definition.kind else { continue };
+    for item in module.items.iter().copied() {
+        let ItemKind::Function(function) = &module.tree.items[item].kind else { continue };
         if function.kind != FunctionKind::Function && function.params.is_none() {
             continue;
         }

@@ -1,11 +1,11 @@
 //! The checked program: names are indices, arguments stand in the order of the parameters, nothing is left to look up.
 
+use crate::check::code::{Code, Kind};
 use crate::check::reach;
 use crate::diag::Span;
-use crate::functions::Function as Builtin;
-use crate::ops::Operation;
+use crate::ops::{Component, Gather, Given, Operation, Pieces, Problem, Ready};
+use crate::shape::Shape;
 use crate::syntax::Source;
-use crate::syntax::ast::{BinaryOp, SizeMark};
 use crate::value::Value;
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -31,6 +31,8 @@ pub struct Program {
     pub zones: Vec<Zone>,
     /// The main file's `start` rule or `@StartRule`.
     pub start: Option<u32>,
+    /// The styles of the main file beside `Default`, in the order of the text.
+    pub styles: Vec<Arc<str>>,
     /// Every label that is written in the rules; `None` among them stands for such as are made up on the way.
     pub labels: BTreeSet<Option<Arc<str>>>,
     /// Some rule asks what lies around a shape, so the engine keeps features and labels.
@@ -57,6 +59,8 @@ pub struct Rule {
     pub symbol: u32,
     /// How many parameters it has.
     pub params: usize,
+    /// The names of its parameters and locals; those of the last alternative in the papers' notation.
+    pub names: Box<[Arc<str>]>,
     /// What it makes of a shape.
     pub body: Body,
     /// Where its name is written.
@@ -95,58 +99,10 @@ pub struct Attribute {
     pub range: Option<(f64, f64)>,
     /// `@Enum(…)` or `@Range("a", "b")`.
     pub choices: Vec<Value>,
+    /// `restricted = false`: it may have other values than the choices.
+    pub is_open: bool,
     /// Where its name is written.
     pub span: Span,
-}
-
-/// What an expression gives, as far as it can be seen before derivation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// A number.
-    Number,
-    /// A truth value.
-    Truth,
-    /// A text.
-    Text,
-    /// An array of numbers.
-    Numbers,
-    /// An array of truth values.
-    Truths,
-    /// An array of texts.
-    Texts,
-    /// Not known before derivation.
-    Unknown,
-}
-
-/// A checked expression.
-#[derive(Clone)]
-pub enum Code {
-    /// A value.
-    Value(Value),
-    /// A parameter or local of the rule or function, by position.
-    Param(u32),
-    /// An attribute, by slot.
-    Attribute(u32),
-    /// A function of a file.
-    Function(u32, Box<[Code]>),
-    /// A built-in function or shape attribute.
-    Builtin(&'static Builtin, Box<[Code]>, Span),
-    /// `'x`, `~x`.
-    Sized(SizeMark, Box<Code>, Span),
-    /// `-x`.
-    Negate(Box<Code>, Span),
-    /// `!x`.
-    Not(Box<Code>, Span),
-    /// `a && b`: the right side is evaluated where the left is true.
-    And(Box<(Code, Code)>, Span),
-    /// `a || b`: the right side is evaluated where the left is false.
-    Or(Box<(Code, Code)>, Span),
-    /// Sums, products, comparisons.
-    Binary(BinaryOp, Box<(Code, Code)>, Span),
-    /// `case`.
-    Case(Box<[(Code, Code)]>, Box<Code>, Span),
-    /// `30% :`.
-    Chance(Box<[(Code, Code)]>, Box<Code>, Span),
 }
 
 /// A checked successor.
@@ -159,6 +115,8 @@ pub enum Body {
     Chance(Box<[(Code, Body)]>, Box<Body>, Span),
     /// The papers' alternatives: of those whose condition holds one by probability.
     Alternatives(Box<[Alternative]>),
+    /// `with`: locals, which follow the parameters, and the body that uses them.
+    With(Box<[Code]>, Box<Body>),
 }
 
 /// One of several rules with the same predecessor.
@@ -189,6 +147,8 @@ pub enum Step {
 pub struct Application {
     /// The operation.
     pub operation: &'static Operation,
+    /// The operation with its arguments, where all are known before derivation.
+    pub ready: Option<Box<dyn Ready>>,
     /// One per parameter.
     pub args: Box<[Option<Code>]>,
     /// Where each argument is written; the operation's own place where there is none.
@@ -207,10 +167,21 @@ pub enum Block {
     None,
     /// Sizes.
     Cuts(Box<[Cut]>),
+    /// Bands of a perimeter.
+    Perimeter {
+        /// Their lengths.
+        cuts: Box<[Cut]>,
+        /// Their depths, by entry, each with its place.
+        depths: Box<[(Code, Span)]>,
+        /// Who takes what they leave.
+        rest: Box<[Selector]>,
+    },
     /// Selectors.
     Selectors(Box<[Selector]>),
     /// One body for all children.
     Body,
+    /// Bodies that are derived inside the rule.
+    Operands,
 }
 
 /// An entry of a split block.
@@ -224,14 +195,16 @@ pub enum Cut {
 }
 
 /// An entry of a selector block.
+#[derive(Clone)]
 pub struct Selector {
     /// What it asks for.
     pub test: Test,
-    /// `=`: all in one shape.
-    pub together: bool,
+    /// Which of its components become one shape.
+    pub gather: Gather,
 }
 
 /// What a selector asks for.
+#[derive(Clone)]
 pub enum Test {
     /// A word.
     Word(Arc<str>),
@@ -251,8 +224,26 @@ pub struct Successor {
     pub rule: Option<u32>,
     /// Its arguments.
     pub args: Box<[Code]>,
+    /// `import(name = value).Rule`: the attributes that are found anew.
+    pub fresh: Option<Box<Fresh>>,
     /// Where it is written.
     pub span: Span,
+}
+
+/// What a dynamic import finds anew for one call, by slot.
+pub struct Fresh {
+    /// The values in its parentheses, in the names of the caller.
+    pub given: Box<[(u32, Code)]>,
+    /// Every other attribute of the import and of its own imports, in the order in which they need each other.
+    pub anew: Box<[(u32, Renewed)]>,
+}
+
+/// Where a fresh value comes from.
+pub enum Renewed {
+    /// The attribute's own initial value.
+    Initial,
+    /// The file's own expression, since the parentheses protect it from the importer's attribute of that name.
+    Protected(Code),
 }
 
 impl Program {
@@ -287,6 +278,46 @@ impl Program {
 }
 
 impl Application {
+    /// The operation with its arguments, where all of them are known.
+    pub fn ready(operation: &Operation, args: &[Option<Code>]) -> Option<Box<dyn Ready>> {
+        let known = |arg: &Option<Code>| match arg {
+            Some(code) => code.known().cloned().map(Some),
+            None => Some(None),
+        };
+        let mut values: Vec<Option<Value>> = args.iter().map(known).collect::<Option<_>>()?;
+        operation.ready(&mut values)
+    }
+
+    /// The components for the selectors; `values` are used up where the arguments were not known.
+    pub fn components(&self, values: &mut [Option<Value>], shape: &Shape) -> Result<Vec<Component>, Problem> {
+        match &self.ready {
+            Some(ready) => ready.components(shape),
+            None => self.operation.components(values, shape),
+        }
+    }
+
+    /// The entry of each section of a perimeter, `most` at most; `values` are used up where the arguments were not known.
+    pub fn sections(
+        &self,
+        values: &mut [Option<Value>],
+        shape: &Shape,
+        cuts: &[crate::ops::Cut],
+        most: usize,
+    ) -> Result<Vec<u16>, Problem> {
+        match &self.ready {
+            Some(ready) => ready.sections(shape, cuts, most),
+            None => self.operation.sections(values, shape, cuts, most),
+        }
+    }
+
+    /// Changes the shape or gives its pieces; `values` are used up where the arguments were not known.
+    pub fn apply(&self, values: &mut [Option<Value>], shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
+        match &self.ready {
+            Some(ready) => ready.apply(shape, given),
+            None => self.operation.apply(values, shape, given),
+        }
+    }
+
     /// Where the argument of a parameter is written.
     pub fn argument_span(&self, parameter: &str) -> Option<Span> {
         let index = self.operation.spec.params.iter().position(|p| p.name == parameter)?;
@@ -302,30 +333,12 @@ impl Attribute {
     }
 }
 
-impl Code {
-    /// The expressions directly inside.
-    pub fn parts(&self) -> Vec<&Code> {
+impl Test {
+    /// The expression that it asks with.
+    pub fn code(&self) -> Option<&Code> {
         match self {
-            Code::Value(_) | Code::Param(_) | Code::Attribute(_) => Vec::new(),
-            Code::Function(_, args) | Code::Builtin(_, args, _) => args.iter().collect(),
-            Code::Sized(_, inner, _) | Code::Negate(inner, _) | Code::Not(inner, _) => vec![inner],
-            Code::And(pair, _) | Code::Or(pair, _) | Code::Binary(_, pair, _) => vec![&pair.0, &pair.1],
-            Code::Case(arms, otherwise, _) | Code::Chance(arms, otherwise, _) => {
-                arms.iter().flat_map(|(test, value)| [test, value]).chain([&**otherwise]).collect()
-            }
-        }
-    }
-
-    /// How high its tree is.
-    pub fn height(&self) -> usize {
-        1 + self.parts().into_iter().map(Code::height).max().unwrap_or(0)
-    }
-
-    /// The value, where it is known before derivation.
-    pub fn known(&self) -> Option<&Value> {
-        match self {
-            Code::Value(value) => Some(value),
-            _ => None,
+            Test::Index(code) | Test::Condition(code) => Some(code),
+            Test::Word(_) | Test::Remainder => None,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! What a rule reaches: the attributes that it and all that can come of it read.
 
-use crate::check::program::{Application, Block, Body, Code, Cut, Program, Step, Test};
+use crate::check::code::Code;
+use crate::check::program::{Application, Block, Body, Cut, Fresh, Program, Renewed, Selector, Step};
 use crate::ops::ParamKind;
 use std::collections::BTreeSet;
 
@@ -35,6 +36,10 @@ impl Reach<'_> {
                 });
                 self.body(otherwise);
             }
+            Body::With(locals, body) => {
+                locals.iter().for_each(|code| self.code(code));
+                self.body(body);
+            }
             Body::Alternatives(alternatives) => alternatives.iter().for_each(|alternative| {
                 alternative.condition.iter().chain(&alternative.probability).for_each(|code| self.code(code));
                 self.body(&alternative.body);
@@ -48,6 +53,7 @@ impl Reach<'_> {
             Step::Successor(successor) => {
                 self.open.extend(successor.rule);
                 successor.args.iter().for_each(|code| self.code(code));
+                successor.fresh.iter().for_each(|fresh| self.fresh(fresh));
             }
             Step::Push(body) => self.body(body),
             Step::Delete => {}
@@ -61,13 +67,30 @@ impl Reach<'_> {
         read.for_each(|code| self.code(code));
         match &application.block {
             Block::Cuts(cuts) => self.cuts(cuts),
-            Block::Selectors(selectors) => selectors.iter().for_each(|selector| match &selector.test {
-                Test::Index(code) | Test::Condition(code) => self.code(code),
-                Test::Word(_) | Test::Remainder => {}
-            }),
-            Block::None | Block::Body => {}
+            Block::Perimeter { cuts, depths, rest } => {
+                self.cuts(cuts);
+                depths.iter().for_each(|(code, _)| self.code(code));
+                self.selectors(rest);
+            }
+            Block::Selectors(selectors) => self.selectors(selectors),
+            Block::None | Block::Body | Block::Operands => {}
         }
         application.bodies.iter().for_each(|body| self.body(body));
+    }
+
+    /// What a dynamic import finds anew reads more than its own attributes.
+    fn fresh(&mut self, fresh: &Fresh) {
+        fresh.given.iter().for_each(|(_, code)| self.code(code));
+        for (slot, renewed) in &fresh.anew {
+            match renewed {
+                Renewed::Initial => self.code(&self.program.attributes[*slot as usize].initial),
+                Renewed::Protected(code) => self.code(code),
+            }
+        }
+    }
+
+    fn selectors(&mut self, selectors: &[Selector]) {
+        selectors.iter().filter_map(|selector| selector.test.code()).for_each(|code| self.code(code));
     }
 
     fn cuts(&mut self, cuts: &[Cut]) {
@@ -83,7 +106,7 @@ impl Reach<'_> {
         let mut open = vec![code];
         while let Some(code) = open.pop() {
             match code {
-                Code::Attribute(slot) if self.slots.insert(*slot) => {
+                Code::Attribute(slot) | Code::Listed(slot, _) if self.slots.insert(*slot) => {
                     open.extend(program.attributes.get(*slot as usize).map(|attribute| &attribute.initial));
                 }
                 Code::Function(index, _) if self.functions.insert(*index) => {

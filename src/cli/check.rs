@@ -1,6 +1,7 @@
 //! `bosquet check`: rule files, for people and for machines.
 
 use crate::cli::{Ended, disk::Disk, limits::STACK, show};
+use bosquet::check::{Program, check_style};
 use bosquet::diag::{Diagnostic, Place};
 use bosquet::syntax::Source;
 use serde_json::json;
@@ -15,6 +16,9 @@ pub struct Arguments {
     /// `text` for people, `json` for machines
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
+    /// Only this style of each file, instead of all
+    #[arg(long, value_name = "NAME")]
+    style: Option<String>,
     /// Imports may lead out of the folder of the rule file
     #[arg(long)]
     allow_outside: bool,
@@ -48,7 +52,7 @@ fn check(arguments: &Arguments) -> Ended {
         let folder = Path::new(file).parent().unwrap_or(Path::new("."));
         let world = Disk::new(arguments.limit_file).open(folder);
         let world = if arguments.allow_outside { world.open_all() } else { world };
-        let (program, found) = bosquet::check::check(&world, file);
+        let (program, found) = checked(&world, file, arguments.style.as_deref());
         errors |= found.iter().any(Diagnostic::is_error);
         found_any |= !found.is_empty();
         rules += program.rules.len();
@@ -64,6 +68,17 @@ fn check(arguments: &Arguments) -> Ended {
         show::tell(format_args!("{files}, {}: nothing to report", bosquet::text::counted(rules, "rule")));
     }
     if errors { Ended::Wrong } else { Ended::Well }
+}
+
+/// A file under one style, or under all of them.
+fn checked(world: &Disk, file: &str, style: Option<&str>) -> (Program, Vec<Diagnostic>) {
+    let (program, mut found) = check_style(world, file, style);
+    let others = if style.is_none() { &program.styles[..] } else { &[] };
+    for other in others {
+        let more = check_style(world, file, Some(other)).1;
+        found.extend(more.into_iter().filter(|diagnostic| !found.contains(diagnostic)).collect::<Vec<_>>());
+    }
+    (program, found)
 }
 
 /// Byte offsets into the original file, line and column from 1, the column in characters.

@@ -2,7 +2,7 @@
 //! files written whole or not at all.
 
 use bosquet::world::{World, WorldError};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -14,12 +14,14 @@ pub struct Disk {
     most_bytes: u64,
     /// The hash of every file that was read.
     hashes: Mutex<BTreeMap<String, String>>,
+    /// Every file that was asked for, there or not.
+    asked: Mutex<BTreeSet<String>>,
 }
 
 impl Disk {
     /// No folder yet; files up to a size.
     pub fn new(most_bytes: u64) -> Disk {
-        Disk { folders: Vec::new(), is_open: false, most_bytes, hashes: Mutex::default() }
+        Disk { folders: Vec::new(), is_open: false, most_bytes, hashes: Mutex::default(), asked: Mutex::default() }
     }
 
     /// The same with what lies below one more folder; the empty path is the working directory.
@@ -36,12 +38,13 @@ impl Disk {
 
     /// A file that the user named, wherever it lies.
     pub fn named(&self, path: &str) -> Result<Arc<[u8]>, WorldError> {
+        self.asked.lock().unwrap_or_else(PoisonError::into_inner).insert(path.into());
         let data = std::fs::metadata(path).map_err(|error| unreadable(path, &error))?;
         if data.len() > self.most_bytes {
             return Err(WorldError::TooLarge { path: path.into(), bytes: data.len(), limit: self.most_bytes });
         }
         let bytes: Arc<[u8]> = std::fs::read(path).map_err(|error| unreadable(path, &error))?.into();
-        let hash = blake3::hash(&bytes).to_hex().to_string();
+        let hash = hash(&bytes);
         self.hashes.lock().unwrap_or_else(PoisonError::into_inner).insert(path.into(), hash);
         Ok(bytes)
     }
@@ -51,10 +54,22 @@ impl Disk {
         self.hashes.lock().unwrap_or_else(PoisonError::into_inner).clone().into_iter().collect()
     }
 
+    /// Every file that was asked for so far, with the hash of what was read; none where it could not be.
+    pub fn asked(&self) -> BTreeMap<String, Option<String>> {
+        let hashes = self.hashes.lock().unwrap_or_else(PoisonError::into_inner);
+        let asked = self.asked.lock().unwrap_or_else(PoisonError::into_inner);
+        asked.iter().map(|path| (path.clone(), hashes.get(path).cloned())).collect()
+    }
+
     fn read(&self, path: &str) -> Result<Arc<[u8]>, WorldError> {
+        self.asked.lock().unwrap_or_else(PoisonError::into_inner).insert(path.into());
         let real = Path::new(path).canonicalize().map_err(|error| unreadable(path, &error))?;
-        let is_inside = self.is_open || self.folders.iter().any(|folder| real.starts_with(folder));
-        if is_inside { self.named(path) } else { Err(WorldError::Outside(path.into())) }
+        if self.shows(&real) { self.named(path) } else { Err(WorldError::Outside(path.into())) }
+    }
+
+    /// Whether a path without links lies below one of the folders.
+    fn shows(&self, real: &Path) -> bool {
+        self.is_open || self.folders.iter().any(|folder| real.starts_with(folder))
     }
 }
 
@@ -66,6 +81,49 @@ impl World for Disk {
     fn asset(&self, path: &str) -> Result<Arc<[u8]>, WorldError> {
         self.read(path)
     }
+
+    fn exists(&self, path: &str) -> bool {
+        self.asked.lock().unwrap_or_else(PoisonError::into_inner).insert(path.into());
+        Path::new(path).canonicalize().is_ok_and(|real| real.is_file() && self.shows(&real))
+    }
+
+    fn list(&self, folder: &str) -> Result<Vec<String>, WorldError> {
+        let place = if folder.is_empty() { "." } else { folder };
+        let real = Path::new(place).canonicalize().map_err(|error| unreadable(place, &error))?;
+        if !self.shows(&real) {
+            return Err(WorldError::Outside(place.into()));
+        }
+        let mut files = Vec::new();
+        collect(&real, folder, &mut files).map_err(|error| unreadable(place, &error))?;
+        files.sort_unstable();
+        Ok(files)
+    }
+}
+
+/// Files of one listing: a folder with more is probably not the place's.
+const MOST_LISTED: usize = 200_000;
+
+/// The files below a folder, hidden ones aside, under a prefix. Links to folders are not followed, so there is no circle.
+fn collect(folder: &Path, prefix: &str, files: &mut Vec<String>) -> std::io::Result<()> {
+    let mut entries = std::fs::read_dir(folder)?.collect::<Result<Vec<_>, _>>()?;
+    entries.sort_unstable_by_key(std::fs::DirEntry::file_name);
+    for entry in entries {
+        let name = entry.file_name();
+        let Some(name) = name.to_str().filter(|name| !name.starts_with('.')) else { continue };
+        if files.len() >= MOST_LISTED {
+            return Err(std::io::Error::other(format!("there are more than {MOST_LISTED} files below it")));
+        }
+        match entry.file_type()? {
+            kind if kind.is_dir() => collect(&entry.path(), &format!("{prefix}{name}/"), files)?,
+            _ => files.push(format!("{prefix}{name}")),
+        }
+    }
+    Ok(())
+}
+
+/// The BLAKE3 hash in hexadecimal.
+pub fn hash(bytes: &[u8]) -> String {
+    blake3::hash(bytes).to_hex().to_string()
 }
 
 fn unreadable(path: &str, error: &std::io::Error) -> WorldError {
@@ -75,10 +133,22 @@ fn unreadable(path: &str, error: &std::io::Error) -> WorldError {
     }
 }
 
-/// Writes all files, each beside its place first and then renamed into it: a failure leaves no half file.
-pub fn write_all(files: &[(PathBuf, Vec<u8>)]) -> Result<(), String> {
+/// Writes those of the files that differ from what lies in their place, as [`write_all`] does.
+pub fn write_changed(files: &[(PathBuf, Vec<u8>)]) -> Result<Vec<usize>, String> {
+    let is_new = |(path, bytes): &(PathBuf, Vec<u8>)| std::fs::read(path).map_or(true, |old| old != *bytes);
+    let changed: Vec<usize> = (0..files.len()).filter(|index| is_new(&files[*index])).collect();
+    write_some(&changed.iter().map(|index| &files[*index]).collect::<Vec<_>>()).map(|()| changed)
+}
+
+/// Writes all files, each beside its place first and then renamed into it: a failure leaves no half file. Gives the
+/// indices of what it wrote.
+pub fn write_all(files: &[(PathBuf, Vec<u8>)]) -> Result<Vec<usize>, String> {
+    write_some(&files.iter().collect::<Vec<_>>()).map(|()| (0..files.len()).collect())
+}
+
+fn write_some(files: &[&(PathBuf, Vec<u8>)]) -> Result<(), String> {
     let mut beside: Vec<(PathBuf, &PathBuf)> = Vec::new();
-    let written = files.iter().try_for_each(|(path, bytes)| {
+    let written = files.iter().try_for_each(|&(path, bytes)| {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let temporary = path.with_file_name(format!(".{name}.{}.part", std::process::id()));
         let failed = |error: std::io::Error| format!("`{}` cannot be written: {error}", path.display());

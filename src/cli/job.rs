@@ -8,18 +8,18 @@ use bosquet::geometry::Bounds;
 use bosquet::library;
 use std::path::{Path, PathBuf};
 
-/// Arguments of `bosquet derive`.
-#[derive(clap::Args)]
-pub struct Arguments {
-    /// A layout (GeoJSON), or a place: a folder with `bosquet.toml`
-    #[arg(value_name = "LAYOUT|PLACE")]
-    pub input: PathBuf,
+/// Arguments of every command that derives.
+#[derive(clap::Args, Clone)]
+pub struct RunArguments {
     /// The rule file
     #[arg(long, value_name = "FILE.cga")]
     pub rules: Option<String>,
     /// The rule to begin with on every region
     #[arg(long, value_name = "RULE")]
     pub start: Option<String>,
+    /// The style of the rule file
+    #[arg(long, value_name = "NAME")]
+    pub style: Option<String>,
     /// The seed of everything that is left to chance
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
@@ -29,9 +29,39 @@ pub struct Arguments {
     /// A catalogue of further elements
     #[arg(long, value_name = "FILE.toml")]
     pub catalogue: Vec<String>,
+    /// Worker threads; the result is the same for any number
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(..=256))]
+    pub threads: Option<u16>,
+    /// Imports and models may lie outside the place's folder
+    #[arg(long)]
+    pub allow_outside: bool,
+    #[command(flatten)]
+    pub limits: LimitArguments,
+}
+
+/// Arguments of `bosquet derive`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// A layout (GeoJSON), or a place: a folder with `bosquet.toml`
+    #[arg(value_name = "LAYOUT|PLACE")]
+    pub input: PathBuf,
+    #[command(flatten)]
+    pub run: RunArguments,
     /// Write a file: plan.svg, plan.png, schedule.csv, report.json, plants:trees.geojson, surfaces:ground.geojson …
     #[arg(short, long = "output", value_name = "[KIND:]FILE")]
     pub output: Vec<String>,
+    /// Derive again whenever a file that was read changes, until Ctrl-C
+    #[arg(long, conflicts_with = "tree")]
+    pub watch: bool,
+    /// Show the derivation as text, made to be compared; files are written only where `-o` asks for them
+    #[arg(long)]
+    pub tree: bool,
+    /// Show the tree of this lot alone, and the whole of it
+    #[arg(long, value_name = "ID", requires = "tree")]
+    pub lot: Option<String>,
+    /// Show so many rules inside rules of a tree
+    #[arg(long, value_name = "N", requires = "tree")]
+    pub depth: Option<usize>,
     /// The scale of plans
     #[arg(long, value_name = "1:500")]
     pub scale: Option<String>,
@@ -53,18 +83,10 @@ pub struct Arguments {
     /// Plans without a legend
     #[arg(long)]
     pub no_legend: bool,
-    /// Worker threads; the result is the same for any number
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(..=256))]
-    pub threads: Option<u16>,
-    /// Imports and models may lie outside the place's folder
-    #[arg(long)]
-    pub allow_outside: bool,
-    #[command(flatten)]
-    pub limits: LimitArguments,
 }
 
-/// Everything a run is asked for.
-pub struct Job {
+/// What a run starts from, whatever becomes of its result.
+pub struct Basis {
     /// The manifest, where the input is a place.
     pub manifest: Option<String>,
     /// The layout.
@@ -75,24 +97,37 @@ pub struct Job {
     pub folders: Vec<PathBuf>,
     /// The start rule for every region.
     pub start: Option<String>,
+    /// The style of the rule file.
+    pub style: Option<String>,
     /// The seed.
     pub seed: u64,
     /// Values of attributes, later ones over earlier ones.
     pub set: Vec<(String, toml::Value)>,
     /// Further catalogues, later ones over earlier ones.
     pub catalogues: Vec<String>,
-    /// What is written.
-    pub outputs: Vec<Output>,
-    /// How plans are drawn.
-    pub plan: PlanOptions,
     /// The title of plans.
     pub title: String,
 }
 
-impl Job {
+/// Everything a run is asked for.
+pub struct Job {
+    /// What it starts from.
+    pub basis: Basis,
+    /// What is written.
+    pub outputs: Vec<Output>,
+    /// How plans are drawn.
+    pub plan: PlanOptions,
+}
+
+impl Basis {
     /// Arguments over manifest; the error is for people.
-    pub fn new(arguments: &Arguments) -> Result<Job, String> {
-        let place = place::find(&arguments.input);
+    pub fn new(input: &Path, arguments: &RunArguments) -> Result<Basis, String> {
+        Basis::with_manifest(input, arguments).map(|(basis, _)| basis)
+    }
+
+    /// The same, and the manifest for what else it says.
+    fn with_manifest(input: &Path, arguments: &RunArguments) -> Result<(Basis, Manifest), String> {
+        let place = place::find(input);
         let manifest = place.as_deref().map(place::read).transpose()?;
         let folder = place.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
         let here = |path: &String| match path.starts_with(library::PREFIX) {
@@ -101,28 +136,41 @@ impl Job {
         };
         let (layout, rules) = match &manifest {
             Some(Manifest { layout, rules, .. }) => (here(layout), Some(here(rules))),
-            None => (arguments.input.to_string_lossy().into_owned(), None),
+            None => (input.to_string_lossy().into_owned(), None),
         };
-        if manifest.is_none() && !arguments.input.exists() {
+        if manifest.is_none() && !input.exists() {
             return Err(format!("there is no file or folder `{layout}`"));
         }
         let rules = arguments.rules.clone().or(rules).ok_or("a layout needs rules: `--rules FILE.cga`")?;
         let named = arguments.catalogue.iter().chain(&arguments.rules).map(|path| folder_of(path));
         let folders = place.is_some().then(|| folder.to_path_buf()).into_iter().chain(named).collect();
-        let manifest = manifest.unwrap_or_default();
-        let stem = stem(&arguments.input);
-        let job = Job {
+        let mut manifest = manifest.unwrap_or_default();
+        let basis = Basis {
             folders,
-            start: arguments.start.clone().or(manifest.start),
+            start: arguments.start.clone().or(manifest.start.take()),
+            style: arguments.style.clone().or(manifest.style.take()),
             seed: arguments.seed.or(manifest.seed).unwrap_or(1),
-            set: set(manifest.attributes, &arguments.set)?,
+            set: set(std::mem::take(&mut manifest.attributes), &arguments.set)?,
             catalogues: manifest.catalogues.iter().map(here).chain(arguments.catalogue.iter().cloned()).collect(),
-            outputs: outputs(&arguments.output, &manifest.outputs, &stem)?,
-            plan: plan(arguments, &manifest.plan, manifest.subtitle)?,
-            title: manifest.title.unwrap_or(stem),
+            title: manifest.title.take().unwrap_or_else(|| stem(input)),
             manifest: place.map(|path| path.to_string_lossy().into_owned()),
             layout,
             rules,
+        };
+        Ok((basis, manifest))
+    }
+}
+
+impl Job {
+    /// Arguments over manifest; the error is for people.
+    pub fn new(arguments: &Arguments) -> Result<Job, String> {
+        let (basis, manifest) = Basis::with_manifest(&arguments.input, &arguments.run)?;
+        let asked = !arguments.tree || !arguments.output.is_empty();
+        let outputs = || outputs(&arguments.output, &manifest.outputs, &stem(&arguments.input));
+        let job = Job {
+            outputs: if asked { outputs()? } else { Vec::new() },
+            plan: plan(arguments, &manifest.plan, manifest.subtitle)?,
+            basis,
         };
         job.spare_inputs()?;
         Ok(job)
@@ -130,7 +178,8 @@ impl Job {
 
     /// An error where an output would be written over what the run reads.
     fn spare_inputs(&self) -> Result<(), String> {
-        let inputs = self.catalogues.iter().chain([&self.layout, &self.rules]).chain(&self.manifest);
+        let basis = &self.basis;
+        let inputs = basis.catalogues.iter().chain([&basis.layout, &basis.rules]).chain(&basis.manifest);
         let real: Vec<PathBuf> = inputs.filter_map(|path| Path::new(path).canonicalize().ok()).collect();
         let is_input = |output: &&Output| output.path.canonicalize().is_ok_and(|path| real.contains(&path));
         match self.outputs.iter().find(is_input) {

@@ -21,6 +21,8 @@ pub struct Manifest {
     pub rules: String,
     /// The start rule for every region.
     pub start: Option<String>,
+    /// The style of the rule file.
+    pub style: Option<String>,
     /// The seed of the run.
     pub seed: Option<u64>,
     /// Further element catalogues, later ones over earlier ones.

@@ -8,6 +8,7 @@ use crate::placement::Standing;
 use crate::seed::Seed;
 use crate::shape::{Occluders, Shape};
 use crate::value::Value;
+use std::cell::RefCell;
 use std::sync::Arc;
 
 /// What a lot's derivation begins with.
@@ -53,7 +54,14 @@ impl<'a> Beginning<'a> {
 
     /// The values of all attributes: those of the context first, then what the run sets, what the layout says, what
     /// the file says.
-    pub fn attributes(&self, run: &Run, context: &[(usize, Value)]) -> (Arc<[Value]>, Vec<Failure>) {
+    ///
+    /// What `print` is given on the way goes to `told`.
+    pub fn attributes(
+        &self,
+        run: &Run,
+        context: &[(usize, Value)],
+        told: &RefCell<Vec<Value>>,
+    ) -> (Arc<[Value]>, Vec<Failure>) {
         let Run { program, options, .. } = *run;
         let blended = |slot: usize| context.iter().find(|(s, _)| *s == slot).map(|(_, value)| value.clone());
         let set = |slot: usize| options.set.iter().rev().find(|(s, _)| *s == slot).map(|(_, value)| value.clone());
@@ -74,6 +82,11 @@ impl<'a> Beginning<'a> {
             at: None,
             catalogue: options.catalogue,
             rasters: run.rasters,
+            files: run.files,
+            source: 0,
+            georeference: &run.layout.georeference,
+            tree_key: &|| "0;".into(),
+            told,
         };
         evaluate::attributes(program, given, &mut around, options.limits.calls)
     }

@@ -15,6 +15,7 @@ use crate::seed::Seed;
 use crate::value::Value;
 use glam::DVec2;
 use rayon::prelude::*;
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -60,7 +61,7 @@ fn own(run: &Run, rules: &[Option<u32>]) -> Vec<Own> {
     let lot = |(region, rule): (usize, &Option<u32>)| {
         let beginning = Beginning::of(run, region, (*rule)?, looks);
         // What fails here fails again when the lot is derived, and is reported then.
-        let (values, _) = beginning.attributes(run, &[]);
+        let (values, _) = beginning.attributes(run, &[], &RefCell::default());
         Some(Own { region, centre: beginning.region.polygon.centroid(), seed: beginning.seed, rule: (*rule)?, values })
     };
     rules.par_iter().enumerate().filter_map(lot).collect()

@@ -1,6 +1,7 @@
 //! Expressions on a shape → values.
 
 use crate::check::{Code, Program};
+use crate::derive::{arrays, measure};
 use crate::diag::Span;
 use crate::functions::{Function, Surroundings};
 use crate::syntax::ast::{BinaryOp, SizeMark};
@@ -45,13 +46,51 @@ pub(super) fn evaluate(code: &Code, names: &Names, around: &mut Surroundings) ->
         Code::Function(index, args) => call(*index, args, names, around),
         Code::Builtin(function, args, span) => builtin(function, args, *span, names, around),
         Code::Sized(mark, inner, span) => number(inner, names, around, *span).map(|n| sized(*mark, n)),
-        Code::Negate(inner, span) => number(inner, names, around, *span).map(|n| Value::Float(-n)),
-        Code::Not(inner, span) => truth(inner, names, around, *span).map(|t| Value::Bool(!t)),
+        Code::Negate(inner, span) => evaluate(inner, names, around).and_then(|value| arrays::negated(&value, *span)),
+        Code::Not(inner, span) => evaluate(inner, names, around).and_then(|value| arrays::inverted(&value, *span)),
         Code::And(pair, span) => both(pair, *span, false, names, around),
         Code::Or(pair, span) => both(pair, *span, true, names, around),
         Code::Binary(op, pair, span) => operation(*op, pair, *span, names, around),
         Code::Case(arms, otherwise, span) => case(arms, otherwise, *span, names, around),
         Code::Chance(arms, otherwise, span) => chance(arms, otherwise, *span, names, around),
+        Code::Array(rows, span) => arrays::literal(rows, *span, names, around),
+        Code::Range(range, span) => arrays::range(range, *span, names, around),
+        Code::Index(array, indices, span) => arrays::index(array, indices, *span, names, around),
+        Code::Each(op, pair, span) => arrays::each(*op, pair, *span, names, around),
+        Code::Comp(comp) => measure::measure(comp, names, around),
+        Code::With(locals, value) => with(locals, value, names, around),
+        Code::Listed(slot, otherwise) => listed(*slot, otherwise, names, around),
+    }
+}
+
+/// `with`: locals in order, each beside the parameters and the locals before it.
+#[inline(never)]
+fn with(locals: &[Code], value: &Code, names: &Names, around: &mut Surroundings) -> Result<Value, Failure> {
+    let params = extended(locals, names, around)?;
+    evaluate(value, &Names { params: &params, ..*names }, around)
+}
+
+/// The parameters, and the values of locals after them.
+pub(super) fn extended(locals: &[Code], names: &Names, around: &mut Surroundings) -> Result<Box<[Value]>, Failure> {
+    let mut params = Vec::with_capacity(names.params.len() + locals.len());
+    params.extend_from_slice(names.params);
+    for local in locals {
+        let value = evaluate(local, &Names { params: &params, ..*names }, around)?;
+        params.push(value);
+    }
+    Ok(params.into())
+}
+
+/// `attr name(index)`: from the list that the lot has under that name, or one value for all; else from the expression.
+#[inline(never)]
+fn listed(slot: u32, otherwise: &Code, names: &Names, around: &mut Surroundings) -> Result<Value, Failure> {
+    match &around.shape.attributes[slot as usize] {
+        Value::Array(list) if list.is_empty() => evaluate(otherwise, names, around),
+        Value::Array(list) => {
+            let index = names.params.first().and_then(Value::as_float).filter(|index| *index >= 0.0);
+            Ok(list.at(index.map_or(usize::MAX, |index| index as usize)))
+        }
+        single => Ok(single.clone()),
     }
 }
 
@@ -64,6 +103,7 @@ fn builtin(
     around: &mut Surroundings,
 ) -> Result<Value, Failure> {
     let values: Result<SmallVec<[Value; 4]>, Failure> = args.iter().map(|arg| evaluate(arg, names, around)).collect();
+    around.source = span.file;
     (function.call)(&values?, around)
         .map_err(|message| Failure { span, message: format!("`{}` {message}", function.name) })
 }
@@ -165,8 +205,9 @@ fn call(index: u32, args: &[Code], names: &Names, around: &mut Surroundings) -> 
     evaluate(&function.value, &Names { program: names.program, params: &params, calls, room }, around)
 }
 
+/// `a + b` and the like, both evaluated.
 #[inline(never)]
-fn binary(op: BinaryOp, left: Value, right: Value) -> Result<Value, String> {
+pub(super) fn binary(op: BinaryOp, left: Value, right: Value) -> Result<Value, String> {
     use BinaryOp as B;
     if let (Some(a), Some(b)) = (left.as_float(), right.as_float()) {
         return Ok(match op {
@@ -191,8 +232,23 @@ fn binary(op: BinaryOp, left: Value, right: Value) -> Result<Value, String> {
         (B::LessEqual, Some(a), Some(b)) => Ok(Value::Bool(a <= b)),
         (B::Greater, Some(a), Some(b)) => Ok(Value::Bool(a > b)),
         (B::GreaterEqual, Some(a), Some(b)) => Ok(Value::Bool(a >= b)),
+        (B::Less | B::LessEqual | B::Greater | B::GreaterEqual, None, None) => sorted(op, &left, &right),
         _ => Err(format!("cannot be done with {} `{left}` and {} `{right}`", left.type_name(), right.type_name())),
     }
+}
+
+/// Arrays of numbers or texts by what comes first.
+fn sorted(op: BinaryOp, left: &Value, right: &Value) -> Result<Value, String> {
+    let order = left.as_array().zip(right.as_array()).and_then(|(a, b)| a.compare(b));
+    let Some(order) = order else {
+        return Err(format!("cannot be done with {} `{left}` and {} `{right}`", left.type_name(), right.type_name()));
+    };
+    Ok(Value::Bool(match op {
+        BinaryOp::Less => order.is_lt(),
+        BinaryOp::LessEqual => order.is_le(),
+        BinaryOp::Greater => order.is_gt(),
+        _ => order.is_ge(),
+    }))
 }
 
 /// Texts and bare words of the same letters are the same.
@@ -230,7 +286,7 @@ pub(super) fn attributes(
 }
 
 /// The same surroundings for a shorter time.
-fn reborrow<'s>(around: &'s mut Surroundings<'_>) -> Surroundings<'s> {
+pub(super) fn reborrow<'s>(around: &'s mut Surroundings<'_>) -> Surroundings<'s> {
     Surroundings {
         shape: around.shape,
         random: around.random,
@@ -241,5 +297,10 @@ fn reborrow<'s>(around: &'s mut Surroundings<'_>) -> Surroundings<'s> {
         at: around.at,
         catalogue: around.catalogue,
         rasters: around.rasters,
+        files: around.files,
+        source: around.source,
+        georeference: around.georeference,
+        tree_key: around.tree_key,
+        told: around.told,
     }
 }

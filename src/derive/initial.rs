@@ -8,8 +8,10 @@ use crate::geometry::{Area, Bounds, BoxGrid, stroke};
 use crate::layout::{Feature, Kind, Layout, Region, Shapes};
 use crate::placement::{Disk, Standing};
 use crate::seed::Seed;
-use crate::shape::{Extent, Footprint, Frame, Geometry, Occluder, Occluders, Ordinals, Plane, Scope, Shape, Style};
-use crate::value::Value;
+use crate::shape::{
+    Extent, Footprint, Frame, Geometry, Occluder, Occluders, Ordinals, Plane, Scope, Shape, Streets, Style,
+};
+use crate::value::{Cells, Value};
 use glam::{DQuat, DVec2, DVec3};
 use std::sync::Arc;
 
@@ -34,10 +36,17 @@ pub(super) fn shape(region: &Region, seed: Seed) -> Shape {
         scope: Scope { frame, size: DVec3::new(size.x, 0.0, size.y) },
         geometry: Geometry::Flat(Plane::Ground, area),
         attributes: Arc::new([]),
-        style: Arc::new(Style { object: rotation, ..Style::default() }),
+        style: Arc::new(Style { object: rotation, streets: streets(region), ..Style::default() }),
         ordinals: Ordinals::default(),
         seed,
     }
+}
+
+/// The streets along the edges, where the region has CityEngine's `streetWidth`: an array with a width for each edge.
+fn streets(region: &Region) -> Option<Arc<Streets>> {
+    let array = region.attributes.get("streetWidth")?.as_array()?;
+    let Cells::Numbers(widths) = array.cells() else { return None };
+    Streets::new(&region.polygon, widths).map(Arc::new)
 }
 
 /// The seed of a region: its own, or the run's with its id, so that regions do not depend on their order.
@@ -46,6 +55,14 @@ pub(super) fn seed(region: &Region, run: Seed) -> Seed {
         Some(own) => Seed(own),
         None => run.named(&region.id),
     }
+}
+
+/// The object's frame: the first point of the outline, x along the first edge, y up, z out of the front.
+fn object(region: &Region) -> Frame {
+    let outline = region.polygon.outer();
+    let (first, along) = (outline[0], (outline[1] - outline[0]).normalize_or(DVec2::X));
+    let rotation = DQuat::from_rotation_y(libm::atan2(along.y, along.x));
+    Frame { origin: DVec3::new(first.x, region.elevation, -first.y), rotation }
 }
 
 /// What rules can ask of the region.
@@ -58,6 +75,7 @@ pub(super) fn facts(region: &Region, start: Arc<str>) -> Initial {
         start,
         kind: region.kind.word().into(),
         zone: region.zone.clone(),
+        object: object(region),
         outline: Some(region.polygon.clone()),
         edge_attributes: lists.collect(),
     }

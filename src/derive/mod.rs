@@ -3,12 +3,14 @@
 //! A lot's derivation needs the program, the lot, its features, its neighbours' outlines and a seed, and nothing
 //! else; so lots are derived in parallel, and threads change nothing. The engine knows no operation by name.
 
+mod arrays;
 mod beginning;
 mod context;
 mod engine;
 mod evaluate;
 mod frame;
 mod initial;
+mod measure;
 mod position;
 mod select;
 mod start;
@@ -16,8 +18,9 @@ mod start;
 pub use start::{StartError, start_of};
 
 use crate::check::Program;
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Place, Severity};
 use crate::element::Catalogue;
+use crate::files::Files;
 use crate::geometry::BoxGrid;
 use crate::layout::Layout;
 use crate::raster::Rasters;
@@ -54,10 +57,13 @@ struct Run<'a> {
     layout: &'a Layout,
     options: &'a Options<'a>,
     rasters: &'a Rasters<'a>,
+    files: &'a Files<'a>,
     /// Where features reach; none where no rule looks around.
     reaches: Option<&'a BoxGrid>,
     /// Every kind and layer of the layout and every label of the rules; none where labels are made up on the way.
     names: Option<&'a BTreeSet<Arc<str>>>,
+    /// The way to every shape is kept.
+    records: bool,
     progress: &'a Progress,
 }
 
@@ -107,23 +113,48 @@ pub fn derive(
     options: &Options,
     progress: &Progress,
 ) -> (Derivation, Vec<Diagnostic>) {
+    run(program, layout, options, progress, None)
+}
+
+/// Derives some regions, by index, exactly as [`derive`] does, and keeps the way to every shape: some 500 bytes each.
+pub fn recorded(
+    program: &Program,
+    layout: &Layout,
+    options: &Options,
+    progress: &Progress,
+    regions: &[usize],
+) -> (Derivation, Vec<Diagnostic>) {
+    run(program, layout, options, progress, Some(regions))
+}
+
+/// A run over all regions, or over some with their record.
+fn run(
+    program: &Program,
+    layout: &Layout,
+    options: &Options,
+    progress: &Progress,
+    recorded: Option<&[usize]>,
+) -> (Derivation, Vec<Diagnostic>) {
     let starts: Vec<Result<u32, StartError>> =
         layout.regions.iter().map(|region| start_of(program, region, options.start.as_deref())).collect();
     let mut diagnostics = start::report(program, layout, &starts);
     let rules: Vec<Option<u32>> = starts.iter().map(|start| start.as_ref().ok().copied()).collect();
     let main = program.sources.first().map_or("", |source| source.path());
     let rasters = Rasters::new(options.world, main, layout.georeference.clone());
+    let files = Files::new(options.world, program.sources.iter().map(|source| source.path().to_string()));
     let reaches = program.looks_around.then(|| initial::reaches(layout));
     let labels: Option<BTreeSet<Arc<str>>> = program.labels.iter().cloned().collect();
     let names = labels.map(|labels| labels.into_iter().chain(initial::names(layout)).collect());
     let (reaches, names) = (reaches.as_ref(), names.as_ref());
-    let run = Run { program, layout, options, rasters: &rasters, reaches, names, progress };
+    let records = recorded.is_some();
+    let run = Run { program, layout, options, rasters: &rasters, files: &files, reaches, names, records, progress };
     let contexts = context::contexts(&run, &rules);
     let lots: Vec<Lot> = layout
         .regions
         .par_iter()
         .zip(&rules)
         .enumerate()
+        .filter(|(index, _)| recorded.is_none_or(|regions| regions.contains(index)))
         .filter_map(|(index, (region, rule))| {
             let context = contexts.get(index).map_or(&[][..], Vec::as_slice);
             let outcome = engine::lot(&run, index, (*rule)?, context);
@@ -134,5 +165,10 @@ pub fn derive(
     let without_rule = layout.regions.iter().zip(&starts).filter(|(_, s)| s.is_err()).map(|(r, _)| r.id.clone());
     let derivation = Derivation { symbols: program.symbols.clone().into(), without_rule: without_rule.collect(), lots };
     diagnostics.extend(derivation.lots.iter().flat_map(|lot| lot.outcome.diagnostics.iter().cloned()));
+    let tables = files.remarks().into_iter();
+    diagnostics.extend(tables.map(|(path, remark)| {
+        let message = format!("the table `{path}` has {remark}");
+        Diagnostic::new(Severity::Lint, "table", Place::Data(path.into()), message)
+    }));
     (derivation, diagnostics)
 }

@@ -1,9 +1,11 @@
 //! Blocks on a shape: sizes of splits evaluated, components given to the selectors that ask for them.
 
 use crate::check::{Cut, Selector, Test};
-use crate::derive::evaluate::{Failure, evaluate, number};
+use crate::derive::evaluate::{Failure, Names, evaluate, number, reborrow};
 use crate::derive::frame::Frame;
+use crate::functions::Surroundings;
 use crate::ops::{self, Choice, Component, Selectors};
+use crate::shape::Shape;
 use crate::value::{Size, Value};
 
 /// The sizes of a split block on the current shape.
@@ -34,15 +36,16 @@ pub(super) fn cuts(cuts: &[Cut], frame: &mut Frame) -> Result<Vec<ops::Cut>, Fai
 pub(super) fn choose(
     selectors: &[Selector],
     components: &[Component],
-    frame: &mut Frame,
+    names: &Names,
+    around: &mut Surroundings,
 ) -> Result<Vec<Option<Choice>>, Failure> {
     let mut chosen = vec![None; components.len()];
     for (entry, selector) in selectors.iter().enumerate() {
-        let choice = Choice { entry: entry as u16, together: selector.together };
+        let choice = Choice { entry: entry as u16, gather: selector.gather };
         // What is left over answers to its own word alone: it has no number, and no condition takes it.
         let total = components.iter().filter(|component| !component.is_rest()).count();
         for (index, component) in components.iter().enumerate() {
-            if chosen[index].is_none() && asks_for(selector, component, index, total, frame)? {
+            if chosen[index].is_none() && asks_for(selector, component, (index, total), names, around)? {
                 chosen[index] = Some(choice);
             }
         }
@@ -53,9 +56,9 @@ pub(super) fn choose(
 fn asks_for(
     selector: &Selector,
     component: &Component,
-    index: usize,
-    total: usize,
-    frame: &mut Frame,
+    (index, total): (usize, usize),
+    names: &Names,
+    around: &mut Surroundings,
 ) -> Result<bool, Failure> {
     match &selector.test {
         Test::Word(word) => Ok(Selectors::of_word(word).is_some_and(|s| component.selectors.meets(s))
@@ -63,15 +66,20 @@ fn asks_for(
         Test::Remainder => Ok(component.words.contains(&"remainder")),
         _ if component.is_rest() => Ok(false),
         Test::Index(code) => {
-            let wanted = frame.with(|names, around| number(code, names, around, crate::diag::Span::default()))?;
+            let wanted = number(code, names, around, crate::diag::Span::default())?;
             let wanted = wanted.round();
             let wanted = if wanted < 0.0 { wanted + total as f64 } else { wanted };
             Ok(wanted == index as f64)
         }
-        Test::Condition(code) => match frame.on(&component.shape, |names, around| evaluate(code, names, around))? {
+        Test::Condition(code) => match evaluate(code, names, &mut on(&component.shape, around))? {
             Value::Bool(truth) => Ok(truth),
             // A computed index: `comp(e) { last : A }` with `last = 3`.
             value => Ok(value.as_float().is_some_and(|n| n.round() == index as f64)),
         },
     }
+}
+
+/// The same surroundings with a component for the current shape.
+fn on<'s>(shape: &'s Shape, around: &'s mut Surroundings) -> Surroundings<'s> {
+    Surroundings { shape, ..reborrow(around) }
 }

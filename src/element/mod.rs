@@ -46,6 +46,7 @@ mod color;
 mod entry;
 mod look;
 mod model;
+mod names;
 mod palette;
 mod read;
 mod record;
@@ -56,6 +57,8 @@ pub use catalogue::{Catalogue, Found, NotFound};
 pub use color::{color_text, parse_color};
 pub use entry::{Cover, Entry, Form, Kind, PlantFigures, Variant};
 pub use look::{Material, PlantSymbol, Texture};
+pub use model::{ModelBounds, ModelError, model_bounds};
+pub use names::{ModelNames, model_names};
 pub use palette::Palette;
 pub use words::Words;
 

@@ -25,8 +25,24 @@ const MOST_DEPTH: usize = 64;
 /// More nodes than this are not looked at: a few nested instances may unfold to billions.
 const MOST_NODES: usize = 100_000;
 
-/// The size along x, y (up) and z of the model in a file of that name.
-pub(super) fn model_size(path: &str, bytes: &[u8]) -> Result<[f64; 3], ModelError> {
+/// The least and greatest corner of a model, metres, y up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ModelBounds {
+    /// The least x, y and z.
+    pub min: [f64; 3],
+    /// The greatest x, y and z.
+    pub max: [f64; 3],
+}
+
+impl ModelBounds {
+    /// The size along x, y (up) and z.
+    pub fn size(&self) -> [f64; 3] {
+        std::array::from_fn(|axis| self.max[axis] - self.min[axis])
+    }
+}
+
+/// The bounds of the model in a file of that name.
+pub fn model_bounds(path: &str, bytes: &[u8]) -> Result<ModelBounds, ModelError> {
     let name = path.to_ascii_lowercase();
     let bounds = match name.rsplit('.').next() {
         Some("glb" | "gltf") => gltf_bounds(bytes)?,
@@ -35,7 +51,7 @@ pub(super) fn model_size(path: &str, bytes: &[u8]) -> Result<[f64; 3], ModelErro
     };
     let size = bounds.max - bounds.min;
     if size.is_finite() && size.min_element() >= 0.0 && size.max_element() > 0.0 {
-        Ok(size.to_array())
+        Ok(ModelBounds { min: bounds.min.to_array(), max: bounds.max.to_array() })
     } else {
         Err(ModelError::Empty)
     }

@@ -185,10 +185,9 @@ fn read_variant(
 /// The model's path and size; what cannot be had is reported, and the built-in form stands for it.
 fn take_model(path: &str, record: &Record<'_>, world: &dyn World, variant: &mut Variant) {
     let path = join(record.source().path(), path);
-    let size = world
-        .asset(&path)
-        .map_err(|error| error.to_string())
-        .and_then(|bytes| model::model_size(&path, &bytes).map_err(|error| format!("`{path}`: {error}")));
+    let size = world.asset(&path).map_err(|error| error.to_string()).and_then(|bytes| {
+        model::model_bounds(&path, &bytes).map(|b| b.size()).map_err(|error| format!("`{path}`: {error}"))
+    });
     match size {
         Ok(size) => {
             variant.size = size;

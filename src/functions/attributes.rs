@@ -1,9 +1,9 @@
 //! Shape attributes: read by name, some set by `set()`.
 
+use crate::functions::coordinates::{angles, object};
 use crate::functions::{Function, Surroundings};
-use crate::shape::Frame;
 use crate::value::Value;
-use glam::{DVec3, EulerRot};
+use glam::DVec3;
 
 macro_rules! attribute {
     ($name:literal, $docs:literal, $f:expr) => {
@@ -28,9 +28,9 @@ pub(super) static LIST: &[Function] = &[
     attribute!("scope.elevation", "The height of the origin in metres.", |a| {
         Value::Float(a.shape.scope.frame.origin.y)
     }),
-    attribute!("scope.rx", "The turn about x in degrees.", |a| Value::Float(turn(&a.shape.scope.frame).x)),
-    attribute!("scope.ry", "The turn about y in degrees.", |a| Value::Float(turn(&a.shape.scope.frame).y)),
-    attribute!("scope.rz", "The turn about z in degrees.", |a| Value::Float(turn(&a.shape.scope.frame).z)),
+    attribute!("scope.rx", "The turn about x in degrees.", |a| Value::Float(angles(a.shape.scope.frame.rotation).x)),
+    attribute!("scope.ry", "The turn about y in degrees.", |a| Value::Float(angles(a.shape.scope.frame.rotation).y)),
+    attribute!("scope.rz", "The turn about z in degrees.", |a| Value::Float(angles(a.shape.scope.frame.rotation).z)),
     attribute!("split.index", "The number of the part in the last split, from 0.", |a| {
         Value::Float(f64::from(a.shape.ordinals.split.0))
     }),
@@ -63,8 +63,24 @@ pub(super) static LIST: &[Function] = &[
     attribute!("initialShape.name", "The name of the region.", |a| Value::Text(a.initial.name.clone())).text(),
     attribute!("initialShape.startRule", "The rule the region began with.", |a| Value::Text(a.initial.start.clone()))
         .text(),
+    attribute!("initialShape.symbol", "The rule the region began with, as old files say it.", |a| {
+        Value::Text(a.initial.start.clone())
+    })
+    .text(),
     attribute!("initialShape.kind", "The kind of the region.", |a| Value::Text(a.initial.kind.clone())).text().added(),
     attribute!("initialShape.zone", "The zone of the region.", |a| Value::Text(a.initial.zone.clone())).text().added(),
+    attribute!("initialShape.origin.px", "The world x of the object's origin: metres east.", |a| Value::Float(
+        object(a).0.x
+    )),
+    attribute!("initialShape.origin.py", "The world y of the object's origin: metres up.", |a| Value::Float(
+        object(a).0.y
+    )),
+    attribute!("initialShape.origin.pz", "The world z of the object's origin: metres south.", |a| Value::Float(
+        object(a).0.z
+    )),
+    attribute!("initialShape.origin.ox", "The object's turn about x in degrees.", |a| Value::Float(object(a).1.x)),
+    attribute!("initialShape.origin.oy", "The object's turn about y in degrees.", |a| Value::Float(object(a).1.y)),
+    attribute!("initialShape.origin.oz", "The object's turn about z in degrees.", |a| Value::Float(object(a).1.z)),
     attribute!("material.name", "The material: a ground cover of the catalogue, or a word of your own.", |a| {
         Value::Text(a.shape.style.material.clone().unwrap_or_default())
     })
@@ -108,12 +124,24 @@ pub(super) static LIST: &[Function] = &[
     .truth()
     .settable()
     .added(),
-    attribute!("pivot.px", "The world x of the pivot in metres.", |a| Value::Float(a.shape.pivot().origin.x)),
-    attribute!("pivot.py", "The world y of the pivot in metres.", |a| Value::Float(a.shape.pivot().origin.y)),
-    attribute!("pivot.pz", "The world z of the pivot in metres.", |a| Value::Float(a.shape.pivot().origin.z)),
-    attribute!("pivot.ox", "The turn of the pivot about x in degrees.", |a| Value::Float(turn(&a.shape.pivot()).x)),
-    attribute!("pivot.oy", "The turn of the pivot about y in degrees.", |a| Value::Float(turn(&a.shape.pivot()).y)),
-    attribute!("pivot.oz", "The turn of the pivot about z in degrees.", |a| Value::Float(turn(&a.shape.pivot()).z)),
+    attribute!("pivot.px", "Where the pivot lies in the object (metres); 0 until `setPivot` moves it.", |a| {
+        Value::Float(pivot(a)[0].x)
+    }),
+    attribute!("pivot.py", "Where the pivot lies in the object (metres); 0 until `setPivot` moves it.", |a| {
+        Value::Float(pivot(a)[0].y)
+    }),
+    attribute!("pivot.pz", "Where the pivot lies in the object (metres); 0 until `setPivot` moves it.", |a| {
+        Value::Float(pivot(a)[0].z)
+    }),
+    attribute!("pivot.ox", "How the pivot is turned in the object (degrees); 0 until `setPivot` moves it.", |a| {
+        Value::Float(pivot(a)[1].x)
+    }),
+    attribute!("pivot.oy", "How the pivot is turned in the object (degrees); 0 until `setPivot` moves it.", |a| {
+        Value::Float(pivot(a)[1].y)
+    }),
+    attribute!("pivot.oz", "How the pivot is turned in the object (degrees); 0 until `setPivot` moves it.", |a| {
+        Value::Float(pivot(a)[1].z)
+    }),
     attribute!("trim.horizontal", "Whether solids are trimmed along level edges; bosquet keeps it for scenes.", |a| {
         trim(a, 0)
     })
@@ -131,23 +159,18 @@ pub(super) static LIST: &[Function] = &[
     .added(),
 ];
 
+/// Place and turns of the pivot in the object's coordinates.
+fn pivot(around: &Surroundings) -> [DVec3; 2] {
+    let Some(pivot) = around.shape.attached().and_then(|surface| surface.pivot) else { return [DVec3::ZERO; 2] };
+    let object = &around.initial.object;
+    [object.to_local(pivot.origin), angles(object.rotation.inverse() * pivot.rotation)]
+}
+
 /// Whether it is trimmed: yes, until it is set.
 fn trim(around: &Surroundings, which: usize) -> Value {
-    Value::Bool(around.shape.surface().and_then(|surface| surface.trim[which]).unwrap_or(true))
+    Value::Bool(around.shape.attached().and_then(|surface| surface.trim[which]).unwrap_or(true))
 }
 
 fn channel(around: &Surroundings, index: usize) -> Value {
     Value::Float(f64::from(around.shape.style.color.unwrap_or([1.0; 4])[index]))
-}
-
-/// The turns about x, y and z in degrees; of the two that every rotation has, the one that lies nearer to a mere turn
-/// about y.
-fn turn(frame: &Frame) -> DVec3 {
-    let (x, y, z) = frame.rotation.to_euler(EulerRot::XYZ);
-    let turn = DVec3::new(x, y, z).map(f64::to_degrees);
-    if turn.x.abs() + turn.z.abs() <= 180.0 {
-        return turn;
-    }
-    let opposite = |angle: f64| angle - 180f64.copysign(angle);
-    DVec3::new(opposite(turn.x), -opposite(turn.y), opposite(turn.z))
 }

@@ -3,7 +3,8 @@
 //! An attribute of the region that is an array has a value for each edge of the outline, in its order. The current
 //! shape has that of the edge it covers most.
 
-use crate::functions::{Function, Surroundings, text_at};
+use crate::functions::args::text_at;
+use crate::functions::{Function, Surroundings};
 use crate::geometry::nearest_on_segment;
 use crate::shape::{Geometry, on_plan};
 use crate::value::{Array, Value};

@@ -1,8 +1,41 @@
 //! Measures of the current shape's geometry.
 
+use crate::functions::args::{number, text_at, word_at};
 use crate::functions::{Function, Surroundings};
-use crate::shape::Measure;
+use crate::shape::{Facing, Geometry, Measure};
 use crate::value::Value;
+
+/// Which faces are meant.
+const FACING: &[&str] = &[
+    "all",
+    "surface",
+    "front",
+    "back",
+    "left",
+    "right",
+    "top",
+    "bottom",
+    "side",
+    "object.front",
+    "object.back",
+    "object.left",
+    "object.right",
+    "object.top",
+    "object.bottom",
+    "object.side",
+    "street.front",
+    "street.back",
+    "street.left",
+    "street.right",
+    "street.side",
+    "world.north",
+    "world.south",
+    "world.east",
+    "world.west",
+    "world.up",
+    "world.down",
+    "world.side",
+];
 
 macro_rules! measure {
     ($name:literal, $docs:literal, $f:expr) => {
@@ -18,10 +51,65 @@ pub(super) static LIST: &[Function] = &[
         "geometry.area",
         "() | (orientation)",
         (0, 1),
-        "The area in m²: of all faces, or of those that look one way (`bottom`, `top`, `side` …).",
+        "The area in m²: of all faces, or of those that look one way (`bottom`, `object.front`, `world.up` …).",
         area,
     )
-    .words(&["all", "bottom", "top", "front", "back", "left", "right", "side"]),
+    .words(FACING),
+    Function::new(
+        "geometry.isOriented",
+        "(orientation)",
+        (1, 1),
+        "Whether a face looks one way (`front`, `object.side`, `world.up` …).",
+        |args, around| match text_at(args, 0)? {
+            "all" | "surface" => Ok(Value::Bool(around.shape.measure().faces > 0)),
+            word => Ok(Value::Bool(around.shape.looks(facing(word)?))),
+        },
+    )
+    .words(FACING)
+    .truth(),
+    Function::new(
+        "geometry.angle",
+        "(maxSlope|azimuth|zenith)",
+        (1, 1),
+        "The steepest slope of the faces, degrees from level; the way that it falls, degrees clockwise from north; or 90 \
+         less the slope. A line slopes as it runs.",
+        |args, around| {
+            let (slope, azimuth) = around.shape.steepest();
+            Ok(Value::Float(match word_at(args, 0, &["maxSlope", "azimuth", "zenith"])? {
+                "maxSlope" => slope,
+                "azimuth" => azimuth,
+                _ => 90.0 - slope,
+            }))
+        },
+    )
+    .words(&["maxSlope", "azimuth", "zenith"]),
+    Function::new(
+        "geometry.isPlanar",
+        "() | (tolerance)",
+        (0, 1),
+        "Whether there are faces and all are flat, the normals at their corners within a tolerance in degrees (0.25).",
+        |args, around| {
+            let tolerance = if args.is_empty() { 0.25 } else { number(args, 0)? };
+            Ok(Value::Bool(around.shape.is_planar(tolerance)))
+        },
+    )
+    .truth(),
+    Function::new(
+        "geometry.isClosedSurface",
+        "()",
+        (0, 0),
+        "Whether there are faces and every edge has one on both sides.",
+        |_, around| Ok(Value::Bool(around.shape.is_closed())),
+    )
+    .truth(),
+    Function::new(
+        "geometry.isInstanced",
+        "()",
+        (0, 0),
+        "Whether the shape is an element as it was inserted.",
+        |_, around| Ok(Value::Bool(matches!(around.shape.geometry, Geometry::Element(_)))),
+    )
+    .truth(),
     measure!("geometry.volume", "The volume in m³; 0 where the geometry is not closed.", |m| Value::Float(m.volume)),
     measure!("geometry.boundaryLength", "The length of the outline in metres.", |m| Value::Float(m.boundary)),
     measure!("geometry.nVertices", "The number of vertices.", |m| Value::Float(m.vertices as f64)),
@@ -46,6 +134,13 @@ pub(super) static LIST: &[Function] = &[
 ];
 
 fn area(args: &[Value], around: &mut Surroundings) -> Result<Value, String> {
-    let way = args.first().and_then(Value::as_str).unwrap_or("all");
-    Ok(Value::Float(around.shape.area_towards(way)))
+    let area = match args.first().map(|_| text_at(args, 0)).transpose()? {
+        None | Some("all" | "surface") => around.shape.measure().area,
+        Some(word) => around.shape.area_towards(facing(word)?),
+    };
+    Ok(Value::Float(area))
+}
+
+fn facing(word: &str) -> Result<Facing, String> {
+    Facing::of_word(word).ok_or_else(|| format!("takes a way to look such as `front` or `world.up`, found `{word}`"))
 }

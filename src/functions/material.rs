@@ -1,6 +1,7 @@
 //! `material.*`: what a surface looks like beyond its colour. Scenes carry it; plans show name and colour alone.
 
-use crate::functions::{Function, Gives, Surroundings, text_at};
+use crate::functions::args::text_at;
+use crate::functions::{Function, Gives, Surroundings};
 use crate::shape::Surface;
 use crate::value::{Array, Cells, Value};
 use std::sync::Arc;
@@ -97,7 +98,7 @@ pub(super) static WHOLE: &[Function] = &[
             let style = &around.shape.style;
             let name = style.material.iter().map(|name| ["name".into(), name.clone()]);
             let color = style.color.iter().map(|c| ["color.rgb".into(), crate::element::color_text(*c).into()]);
-            let stored = around.shape.surface().into_iter().flat_map(|surface| &surface.material);
+            let stored = around.shape.attached().into_iter().flat_map(|surface| &surface.material);
             let stored = stored.map(|(name, value)| [name.clone(), value.to_string().into()]);
             Ok(rows(name.chain(color).chain(stored).flatten().collect()))
         },
@@ -124,5 +125,5 @@ fn rows(cells: Vec<Arc<str>>) -> Value {
 }
 
 fn stored<'a>(around: &'a Surroundings, name: &str) -> Option<&'a Value> {
-    around.shape.surface().and_then(|surface: &Surface| surface.material(name))
+    around.shape.attached().and_then(|surface: &Surface| surface.material(name))
 }

@@ -3,26 +3,45 @@
 //! A function takes values and what surrounds the current shape, and gives a value. `rand` draws from the shape's own
 //! stream, so a function's result depends on the shape alone.
 
+mod args;
+mod arrays;
+mod assets;
 mod attributes;
+mod choice;
+mod colours;
+mod context;
+mod coordinates;
 mod edges;
+mod elements;
+mod files;
+mod fold;
 mod geometry;
+mod kinds;
+mod lists;
 mod material;
 mod math;
 mod occlusion;
+mod order;
 mod position;
+mod ramps;
 mod random;
 mod species;
 mod surface;
 mod text;
+mod trace;
 
+pub use fold::folded;
 pub use position::At;
 
 use crate::element::Catalogue;
+use crate::files::Files;
 use crate::geometry::Polygon;
+use crate::layout::Georeference;
 use crate::raster::Rasters;
 use crate::seed::Random;
-use crate::shape::{NodeId, Occluders, Shape};
+use crate::shape::{Frame, NodeId, Occluders, Shape};
 use crate::value::{Array, Value};
+use std::cell::RefCell;
 use std::sync::Arc;
 
 /// A function or shape attribute as checker and engine find it.
@@ -37,6 +56,8 @@ pub struct Function {
     pub arity: (usize, usize),
     /// Arguments that are bare words: selectors such as `intra`.
     pub words: &'static [&'static str],
+    /// How many of the first arguments may be such words.
+    pub words_within: usize,
     /// Gives the same for the same arguments anywhere: may be computed before derivation.
     pub constant: bool,
     /// What sort of value it gives.
@@ -68,8 +89,12 @@ pub enum Gives {
     Truths,
     /// An array of texts.
     Texts,
-    /// What its arguments are: `setElems`, `transpose`.
+    /// What its first argument is: `setElems`, `transpose`.
     Same,
+    /// A truth value for each of its first argument: `isNull`.
+    TruthOfEach,
+    /// What only its arguments tell: `sum`.
+    Any,
 }
 
 /// What a function may look at.
@@ -92,10 +117,20 @@ pub struct Surroundings<'a> {
     pub catalogue: &'a Catalogue,
     /// Coverage maps.
     pub rasters: &'a Rasters<'a>,
+    /// Tables, texts, and what files there are.
+    pub files: &'a Files<'a>,
+    /// The number of the rule file that asks: paths are relative to it.
+    pub source: u16,
+    /// The way from the plan to the layout's own coordinates.
+    pub georeference: &'a Georeference,
+    /// The path to the shape's node as `0;2;1;`.
+    pub tree_key: &'a dyn Fn() -> String,
+    /// What `print` was given, for whoever keeps it.
+    pub told: &'a RefCell<Vec<Value>>,
 }
 
 /// What rules can ask of their initial shape.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Initial {
     /// The region's name.
     pub name: Arc<str>,
@@ -109,6 +144,8 @@ pub struct Initial {
     pub outline: Option<Polygon>,
     /// The region's attributes that have a value for each edge of the outline, without `/edgeattr/` before their names.
     pub edge_attributes: Vec<(Arc<str>, Arc<Array>)>,
+    /// The object's coordinates: from the outline's first point, x along the first edge, y up.
+    pub object: Frame,
 }
 
 /// Every function and attribute, by group.
@@ -124,13 +161,24 @@ pub fn find(name: &str) -> Option<&'static Function> {
 static FUNCTIONS: &[&[Function]] = &[
     math::LIST,
     random::LIST,
+    kinds::LIST,
     text::LIST,
+    lists::LIST,
+    arrays::LIST,
+    elements::LIST,
     geometry::LIST,
     surface::LIST,
+    coordinates::LIST,
     occlusion::LIST,
+    context::LIST,
     position::LIST,
     species::LIST,
     edges::LIST,
+    files::LIST,
+    assets::LIST,
+    choice::LIST,
+    colours::LIST,
+    trace::LIST,
     attributes::LIST,
     material::LIST,
     material::COLORS.as_flattened(),
@@ -152,6 +200,7 @@ impl Function {
             docs,
             arity,
             words: &[],
+            words_within: usize::MAX,
             constant: false,
             gives: Gives::Number,
             settable: false,
@@ -169,6 +218,12 @@ impl Function {
 
     const fn words(mut self, words: &'static [&'static str]) -> Function {
         self.words = words;
+        self
+    }
+
+    /// Words only among the first so many arguments.
+    const fn words_within(mut self, arguments: usize) -> Function {
+        self.words_within = arguments;
         self
     }
 
@@ -206,16 +261,4 @@ impl Function {
         self.added = true;
         self
     }
-}
-
-/// The number at `index`.
-fn number(args: &[Value], index: usize) -> Result<f64, String> {
-    let value = args.get(index).ok_or("an argument is missing")?;
-    value.as_float().ok_or_else(|| format!("takes a number, found {} `{value}`", value.type_name()))
-}
-
-/// The text at `index`.
-fn text_at(args: &[Value], index: usize) -> Result<&str, String> {
-    let value = args.get(index).ok_or("an argument is missing")?;
-    value.as_str().ok_or_else(|| format!("takes a text, found {} `{value}`", value.type_name()))
 }

@@ -2,7 +2,8 @@
 //!
 //! The functions have a value only there; the engine samples such an argument over the shape.
 
-use crate::functions::{Function, Surroundings, number, text_at};
+use crate::functions::args::{number, text_at};
+use crate::functions::{Function, Surroundings};
 use crate::geometry::Area;
 use crate::raster::Measure;
 use crate::value::Value;

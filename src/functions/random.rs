@@ -1,6 +1,7 @@
 //! Chance: from the shape's own stream, so the same shape draws the same numbers.
 
-use crate::functions::{Function, number};
+use crate::functions::Function;
+use crate::functions::args::number;
 use crate::value::Value;
 
 pub(super) static LIST: &[Function] = &[

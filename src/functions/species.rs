@@ -1,7 +1,8 @@
 //! What the catalogue knows of a species at an age: so that spacing follows the plant, as ordinances have it.
 
 use crate::element::{Catalogue, Entry, NotFound, Words};
-use crate::functions::{Function, Surroundings, number, text_at};
+use crate::functions::args::{number, text_at};
+use crate::functions::{Function, Surroundings};
 use crate::plant::{Sizes, sizes};
 use crate::value::Value;
 

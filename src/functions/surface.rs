@@ -1,6 +1,7 @@
 //! Texture coordinates and tags of the current shape.
 
-use crate::functions::{Function, Gives, Surroundings, number, text_at};
+use crate::functions::args::{number, text_at};
+use crate::functions::{Function, Gives, Surroundings};
 use crate::geometry::Bounds;
 use crate::shape::{Part, Way};
 use crate::value::{Array, Cells, Value};

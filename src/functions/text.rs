@@ -1,35 +1,13 @@
-//! Texts and conversions.
+//! Texts: parts of them, and where these stand. Places count characters from 0.
 
-use crate::functions::{Function, number, text_at};
-use crate::value::Value;
+use crate::functions::args::{any, number, text_at};
+use crate::functions::arrays::{characters, place};
+use crate::functions::{Function, Gives};
+use crate::pattern::Regex;
+use crate::value::{Array, Cells, Value};
+use std::sync::Arc;
 
 pub(super) static LIST: &[Function] = &[
-    Function::new("str", "(value)", (1, 1), "Any value as a text.", |args, _| Ok(Value::text(args[0].to_string())))
-        .text()
-        .constant(),
-    Function::new(
-        "float",
-        "(text)",
-        (1, 1),
-        "A text, truth value or number as a number; 0 where it is none.",
-        |args, _| {
-            Ok(Value::Float(match &args[0] {
-                Value::Bool(truth) => f64::from(u8::from(*truth)),
-                Value::Text(text) | Value::Word(text) => text.trim().parse().unwrap_or(0.0),
-                value => value.as_float().unwrap_or(0.0),
-            }))
-        },
-    )
-    .constant(),
-    Function::new("bool", "(value)", (1, 1), "Whether a number is not 0, or a text says `true`.", |args, _| {
-        Ok(Value::Bool(match &args[0] {
-            Value::Bool(truth) => *truth,
-            Value::Text(text) | Value::Word(text) => text.trim().eq_ignore_ascii_case("true"),
-            value => value.as_float().is_some_and(|n| n != 0.0),
-        }))
-    })
-    .truth()
-    .constant(),
     Function::new("len", "(text)", (1, 1), "The number of characters.", |args, _| {
         Ok(Value::Float(text_at(args, 0)?.chars().count() as f64))
     })
@@ -47,7 +25,7 @@ pub(super) static LIST: &[Function] = &[
         |args, _| {
             let (text, part, n) = (text_at(args, 0)?, text_at(args, 1)?, number(args, 2)?);
             let found = text.match_indices(part).nth(n.max(0.0) as usize);
-            Ok(Value::Float(found.map_or(-1.0, |(byte, _)| text[..byte].chars().count() as f64)))
+            Ok(place(found.map(|(byte, _)| characters(text, byte))))
         },
     )
     .constant(),
@@ -64,9 +42,73 @@ pub(super) static LIST: &[Function] = &[
     )
     .text()
     .constant(),
-    Function::new("replace", "(text, old, new)", (3, 3), "The text with every old part replaced.", |args, _| {
-        Ok(Value::text(text_at(args, 0)?.replace(text_at(args, 1)?, text_at(args, 2)?)))
-    })
+    Function::new(
+        "replace",
+        "(text, old, new)",
+        (3, 3),
+        "The text with every old part replaced by a text or another value.",
+        |args, _| {
+            let (text, old) = (text_at(args, 0)?, text_at(args, 1)?);
+            let new = any(args, 2)?.to_string();
+            Ok(Value::text(if old.is_empty() { text.into() } else { text.replace(old, &new) }))
+        },
+    )
     .text()
+    .constant(),
+    Function::new(
+        "getPrefix",
+        "(text, part)",
+        (2, 2),
+        "The text before the first occurrence of a part; empty where there is none.",
+        |args, _| {
+            let (text, part) = (text_at(args, 0)?, text_at(args, 1)?);
+            Ok(Value::text(text.find(part).map_or("", |byte| &text[..byte])))
+        },
+    )
+    .text()
+    .constant(),
+    Function::new(
+        "getSuffix",
+        "(text, part)",
+        (2, 2),
+        "The text after the last occurrence of a part; empty where there is none.",
+        |args, _| {
+            let (text, part) = (text_at(args, 0)?, text_at(args, 1)?);
+            Ok(Value::text(text.rfind(part).map_or("", |byte| &text[byte + part.len()..])))
+        },
+    )
+    .text()
+    .constant(),
+    Function::new(
+        "getRange",
+        "(text, left, right)",
+        (3, 3),
+        "The text after the first occurrence of `left` and before the last of `right`; empty where one is missing or \
+         they overlap.",
+        |args, _| {
+            let (text, left, right) = (text_at(args, 0)?, text_at(args, 1)?, text_at(args, 2)?);
+            let from = text.find(left).map(|byte| byte + left.len());
+            let range = from.zip(text.rfind(right)).and_then(|(from, to)| text.get(from..to));
+            Ok(Value::text(range.unwrap_or_default()))
+        },
+    )
+    .text()
+    .constant(),
+    Function::new(
+        "splitString",
+        "(text, delimiter)",
+        (2, 2),
+        "The parts of a text between delimiters, as an array. `$` begins a regular expression, as in `\"$;|\\n\"`; an empty \
+         delimiter splits between all characters.",
+        |args, _| {
+            let (text, delimiter) = (text_at(args, 0)?, text_at(args, 1)?);
+            let parts: Vec<Arc<str>> = match delimiter.strip_prefix('$') {
+                Some(expression) => Regex::new(expression)?.split(text).into_iter().map(Into::into).collect(),
+                None => text.split(delimiter).map(Into::into).collect(),
+            };
+            Ok(Value::Array(Array::row(Cells::Texts(parts)).into()))
+        },
+    )
+    .gives(Gives::Texts)
     .constant(),
 ];

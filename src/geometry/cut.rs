@@ -198,6 +198,7 @@ pub(super) fn extent(points: &[DVec2], direction: DVec2) -> (f64, f64) {
 
 /// Whether a counter-clockwise ring nowhere turns right. (A ring that only turns left but goes round twice is not
 /// simple, and so not a ring of a polygon.)
+#[inline]
 pub(super) fn is_convex(ring: &[DVec2]) -> bool {
     let Some([mut a, mut b]) = ring.last_chunk::<2>().copied() else { return false };
     ring.iter().all(|c| {
@@ -209,9 +210,15 @@ pub(super) fn is_convex(ring: &[DVec2]) -> bool {
 
 /// Adds a sound ring as a polygon; what has no area is left out.
 pub(super) fn push_ring(ring: &[DVec2], parts: &mut Area) {
-    if ring.len() >= 3 && ring_area(ring) >= LEAST_AREA {
+    if is_sound(ring) {
         parts.push(Polygon::from_ring(ring));
     }
+}
+
+/// Whether a ring has an area.
+#[inline]
+pub(super) fn is_sound(ring: &[DVec2]) -> bool {
+    ring.len() >= 3 && ring_area(ring) >= LEAST_AREA
 }
 
 fn band_of(polygon: &Polygon, normal: DVec2, from: f64, to: f64, parts: &mut Area) {

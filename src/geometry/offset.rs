@@ -3,7 +3,7 @@
 //! Convex polygons are computed exactly in doubles with one allocation; everything else goes through the overlay
 //! engine on its grid of about a micrometre.
 
-use crate::geometry::cut::{Line, Ring, is_convex, push_ring};
+use crate::geometry::cut::{Line, Ring, is_convex, is_sound, push_ring};
 use crate::geometry::overlay::{Corner, outline};
 use crate::geometry::{Area, Polygon};
 use glam::DVec2;
@@ -35,6 +35,19 @@ pub fn buffered(area: &Area, distance: f64) -> Area {
         return area.clone();
     }
     outline(area, distance, Corner::Round)
+}
+
+/// The same as [`offset`] of an area that is given up: a convex polygon keeps its buffer.
+pub fn into_offset(area: Area, distance: f64) -> Area {
+    match area.polygons() {
+        [only] if distance < 0.0 && distance.is_finite() && !only.has_holes() && is_convex(only.outer()) => {
+            match moved_corners(only.outer(), -distance) {
+                Some(ring) if is_sound(&ring) => area.with_ring(&ring),
+                _ => offset(&area, distance),
+            }
+        }
+        _ => offset(&area, distance),
+    }
 }
 
 fn shrink(polygon: &Polygon, distance: f64, parts: &mut Area) {

@@ -70,6 +70,7 @@ impl Polygon {
     }
 
     /// The outer ring, counter-clockwise.
+    #[inline]
     pub fn outer(&self) -> &[DVec2] {
         let end = self.holes.as_ref().map_or(self.points.len(), |h| h[0] as usize);
         &self.points[..end]
@@ -100,6 +101,15 @@ impl Polygon {
         self.rings().flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| (*a, *b)))
     }
 
+    /// The edge with an index in [`Polygon::edges`], which must exist.
+    pub fn edge(&self, index: usize) -> (DVec2, DVec2) {
+        let starts = self.holes.as_deref().unwrap_or(&[]);
+        let ring = starts.partition_point(|start| *start as usize <= index);
+        let first = if ring == 0 { 0 } else { starts[ring - 1] as usize };
+        let end = starts.get(ring).map_or(self.points.len(), |start| *start as usize);
+        (self.points[index], if index + 1 == end { self.points[first] } else { self.points[index + 1] })
+    }
+
     /// Area in m², holes taken off.
     pub fn area(&self) -> f64 {
         self.rings().map(ring_area).sum()
@@ -111,6 +121,7 @@ impl Polygon {
     }
 
     /// The least axis-parallel rectangle around it.
+    #[inline]
     pub fn bounds(&self) -> Bounds {
         Bounds::of(self.outer().iter().copied())
     }
@@ -121,6 +132,7 @@ impl Polygon {
     }
 
     /// Moves it by `offset`, in place where nobody shares the buffer.
+    #[inline]
     fn translate(&mut self, offset: DVec2) {
         match Arc::get_mut(&mut self.points) {
             Some(points) => points.iter_mut().for_each(|p| *p += offset),
@@ -178,6 +190,11 @@ impl Area {
         &self.0
     }
 
+    /// The parts, taken out.
+    pub fn into_polygons(self) -> impl Iterator<Item = Polygon> {
+        self.0.into_iter()
+    }
+
     /// Whether there is nothing.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
@@ -194,6 +211,7 @@ impl Area {
     }
 
     /// The least axis-parallel rectangle around it; empty bounds for nothing.
+    #[inline]
     pub fn bounds(&self) -> Bounds {
         self.0.iter().map(Polygon::bounds).fold(Bounds::EMPTY, Bounds::union)
     }
@@ -204,8 +222,21 @@ impl Area {
     }
 
     /// The same moved by `offset`, in place where nobody shares the buffers.
+    #[inline]
     pub fn into_translated(mut self, offset: DVec2) -> Area {
         self.0.iter_mut().for_each(|polygon| polygon.translate(offset));
+        self
+    }
+
+    /// One sound counter-clockwise ring in place of what it was, in its buffer where nobody shares that.
+    pub(super) fn with_ring(mut self, ring: &[DVec2]) -> Area {
+        match self.0.as_mut_slice() {
+            [only] if only.holes.is_none() => match Arc::get_mut(&mut only.points) {
+                Some(points) if points.len() == ring.len() => points.copy_from_slice(ring),
+                _ => only.points = ring.into(),
+            },
+            _ => self = Polygon::from_ring(ring).into(),
+        }
         self
     }
 

@@ -49,6 +49,25 @@ pub fn setback(polygon: &Polygon, distances: impl Fn(usize) -> f64) -> Setback {
     }
 }
 
+/// What [`setback`] leaves, without its strips.
+pub fn set_in(polygon: &Polygon, distances: impl Fn(usize) -> f64) -> Area {
+    let fronts = fronts(polygon, distances);
+    let whole: Area = polygon.clone().into();
+    if fronts.is_empty() {
+        return whole;
+    }
+    if !polygon.is_convex() || fronts.iter().any(|f| f.before.steps(f) || f.after.steps(f)) {
+        return difference(
+            &whole,
+            &reaches(polygon, &whole, &fronts).into_iter().flat_map(Area::into_polygons).collect(),
+        );
+    }
+    let rest = fronts.iter().fold(Ring::from_slice(polygon.outer()), |rest, f| f.goal(true).clip_convex(&rest));
+    let mut remainder = Area::empty();
+    push_ring(&rest, &mut remainder);
+    remainder
+}
+
 /// A moving edge.
 struct Front {
     edge: usize,
@@ -208,15 +227,19 @@ fn convex(ring: &[DVec2], fronts: &[Front]) -> Setback {
 /// Every front's reach within the polygon, less what others reach first.
 fn general(polygon: &Polygon, fronts: &[Front]) -> Setback {
     let whole: Area = polygon.clone().into();
-    let (left, right) = extent(polygon.outer(), DVec2::X);
-    let (low, high) = extent(polygon.outer(), DVec2::Y);
-    let farthest = right - left + high - low;
-    let reaches: Vec<Area> = fronts.iter().map(|f| reach_within(f, &whole, farthest)).collect();
+    let reaches = reaches(polygon, &whole, fronts);
     let strips = (0..fronts.len())
         .map(|i| Strip { edge: fronts[i].edge, area: difference(&reaches[i], &lost(fronts, &reaches, i)) });
     let strips = strips.collect();
     let swept: Area = reaches.iter().flat_map(|r| r.polygons().iter().cloned()).collect();
     Setback { remainder: difference(&whole, &swept), strips }
+}
+
+/// How far each front reaches.
+fn reaches(polygon: &Polygon, whole: &Area, fronts: &[Front]) -> Vec<Area> {
+    let (left, right) = extent(polygon.outer(), DVec2::X);
+    let (low, high) = extent(polygon.outer(), DVec2::Y);
+    fronts.iter().map(|f| reach_within(f, whole, right - left + high - low)).collect()
 }
 
 /// The reach inside the polygon, without what lies beyond something that is not part of it.

@@ -2,7 +2,7 @@
 
 use crate::geometry::{self, Area, Bounds};
 use crate::ops::declare::operation;
-use crate::ops::{Apply, Component, Given, Part, Pieces, Problem, Selectors, Word, color, fit};
+use crate::ops::{Apply, Component, Gather, Given, Part, Pieces, Problem, Selectors, Word, color, fit};
 use crate::raster::{Measure, RasterError, without_trifles};
 use crate::shape::{Extent, Geometry, Plane, Shape};
 use crate::value::Value;
@@ -54,11 +54,11 @@ impl Apply for Coverage {
         let cover = geometry::intersection(area, &found);
         let mut parts = Vec::new();
         let mut add = |entry, area: Area| {
-            parts.extend(fit::fitted(shape, Geometry::Flat(plane.clone(), area)).map(|shape| Part { entry, shape }));
+            parts.extend(fit::fitted(shape, Geometry::Flat(plane.clone(), area)).map(|shape| Part::new(entry, shape)));
         };
         let rest = geometry::difference(area, &cover);
         match given.chosen[0] {
-            Some(choice) if choice.together => add(choice.entry, cover),
+            Some(choice) if choice.gather == Gather::All => add(choice.entry, cover),
             Some(choice) => cover.polygons().iter().for_each(|patch| add(choice.entry, patch.clone().into())),
             None => {}
         }

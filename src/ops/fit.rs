@@ -14,11 +14,13 @@ pub fn fitted(parent: &Shape, geometry: Geometry) -> Option<Shape> {
 }
 
 /// A child of `parent` with the given geometry and box, both in the parent's coordinates.
+#[inline]
 pub fn boxed(parent: &Shape, geometry: Geometry, origin: DVec3, size: DVec3) -> Shape {
     child(parent, Scope { frame: parent.scope.frame.moved(origin), size }, rebased(geometry, origin))
 }
 
 /// A child of `parent` in a scope of its own.
+#[inline]
 fn child(parent: &Shape, scope: Scope, geometry: Geometry) -> Shape {
     let (attributes, style) = (parent.attributes.clone(), parent.style.clone());
     Shape { scope, geometry, attributes, style, ordinals: parent.ordinals, seed: parent.seed }
@@ -62,6 +64,7 @@ pub fn point(parent: &Shape, at: DVec3) -> Shape {
 }
 
 /// The least and greatest coordinates of a geometry; `None` where it is empty.
+#[inline]
 pub fn local_bounds(geometry: &Geometry) -> Option<(DVec3, DVec3)> {
     match geometry {
         Geometry::Empty | Geometry::Element(_) => None,
@@ -77,6 +80,7 @@ pub fn local_bounds(geometry: &Geometry) -> Option<(DVec3, DVec3)> {
     }
 }
 
+#[inline]
 fn plane_bounds(plane: &Plane, area: &Area) -> Option<(DVec3, DVec3)> {
     if area.is_empty() {
         return None;
@@ -99,6 +103,7 @@ fn around(points: impl Iterator<Item = DVec3>) -> Option<(DVec3, DVec3)> {
 }
 
 /// The geometry as seen from an origin moved by `offset`.
+#[inline]
 fn rebased(geometry: Geometry, offset: DVec3) -> Geometry {
     if offset == DVec3::ZERO {
         return geometry;
@@ -123,6 +128,7 @@ fn rebased(geometry: Geometry, offset: DVec3) -> Geometry {
 }
 
 /// Ground and face planes keep their kind where the offset lies in them.
+#[inline]
 fn moved(plane: Plane, area: Area, offset: DVec3) -> (Plane, Area) {
     let across = offset.dot(plane.normal());
     match plane {

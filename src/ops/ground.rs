@@ -66,7 +66,7 @@ impl Ground {
             let mut child = fit::point(shape, self.local(spot.position));
             child.scope.frame.rotation = (shape.scope.frame.rotation * self.turn(spot.direction)).normalize();
             child.ordinals.place = Place { index, total, radius: spot.radius, cluster: spot.cluster, disk: None };
-            Part { entry: 0, shape: child }
+            Part::new(0, child)
         };
         (0..).zip(spots).map(turned).collect()
     }

@@ -2,8 +2,8 @@
 //!
 //! An operation takes a shape and gives pieces; it never calls the engine. Which block entry a piece goes to is
 //! decided in two steps for operations with selectors: [`Apply::components`] says what there is to choose from, the
-//! engine chooses, [`Apply::apply`] builds. Operations that derive inside themselves (inline, union, modify) will be
-//! one more case of [`Pieces`].
+//! engine chooses, [`Apply::apply`] builds. What operations derive inside a rule (`inline`, `union`) the engine derives
+//! before it applies them: they find the leaves among what they are [`Given`].
 
 mod declare;
 mod spec;
@@ -14,21 +14,30 @@ mod align_scope_to_geometry;
 mod along;
 mod boundary;
 mod center;
+mod cleanup_geometry;
 mod cluster;
 mod color;
+mod combine;
 mod comp;
+mod convexify;
 mod coverage;
+mod delete_holes;
 mod distr;
 mod envelope;
 mod equidistant;
 mod extrude;
 mod faces;
 mod fit;
+mod footprint;
+mod gather;
 mod ground;
+mod inner_rectangle;
 mod insert;
 mod insert_along_uv;
 mod instance;
 mod label;
+mod mirror;
+mod normals;
 mod offset;
 mod plant;
 mod points;
@@ -36,9 +45,12 @@ mod primitives;
 mod print;
 mod projection;
 mod r;
+mod rectify;
 mod regular;
 mod report;
 mod reset_geometry;
+mod rim;
+mod roofs;
 mod rotate_scope;
 mod rows;
 mod s;
@@ -46,8 +58,13 @@ mod scatter;
 mod semirandom;
 mod set;
 mod setback;
+mod setback_per_edge;
+mod setback_to_area;
+mod shape_luo;
 mod single;
 mod split;
+mod split_and_setback_perimeter;
+mod split_area;
 mod split_uv;
 mod strategy;
 mod t;
@@ -57,7 +74,9 @@ mod translate;
 mod uv;
 mod without;
 
-pub use faces::{Component, Selectors};
+pub use comp::joined;
+pub use faces::{Component, RoofEdge, Selectors};
+pub use gather::Gather;
 pub use ground::Ground;
 pub use spec::{AttributeName, BlockKind, Origin, Param, ParamKind, Parameter, Spec, Word};
 pub use split::Cut;
@@ -77,10 +96,30 @@ use std::sync::Arc;
 /// Every operation, in the order of the manual.
 pub static OPERATIONS: &[Operation] = &[
     split::Split::OPERATION,
+    split_area::SplitArea::OPERATION,
     comp::Comp::OPERATION,
     setback::Setback::OPERATION,
+    setback_per_edge::SetbackPerEdge::OPERATION,
+    setback_to_area::SetbackToArea::OPERATION,
+    split_and_setback_perimeter::SplitAndSetbackPerimeter::OPERATION,
+    inner_rectangle::InnerRectangle::OPERATION,
+    inner_rectangle::InnerRect::OPERATION,
+    shape_luo::ShapeL::OPERATION,
+    shape_luo::ShapeU::OPERATION,
+    shape_luo::ShapeO::OPERATION,
     offset::Offset::OPERATION,
+    convexify::Convexify::OPERATION,
+    delete_holes::DeleteHoles::OPERATION,
+    cleanup_geometry::CleanupGeometry::OPERATION,
+    rectify::Rectify::OPERATION,
+    footprint::Footprint::OPERATION,
+    mirror::Mirror::OPERATION,
+    mirror::ReverseNormals::OPERATION,
     without::Without::OPERATION,
+    combine::Inline::OPERATION,
+    combine::Union::OPERATION,
+    combine::Subtract::OPERATION,
+    combine::Intersect::OPERATION,
     coverage::Coverage::OPERATION,
     scatter::Scatter::OPERATION,
     distr::Distr::OPERATION,
@@ -94,6 +133,12 @@ pub static OPERATIONS: &[Operation] = &[
     rows::ParallelRows::OPERATION,
     rows::Quincunx::OPERATION,
     extrude::Extrude::OPERATION,
+    roofs::Hip::OPERATION,
+    roofs::Gable::OPERATION,
+    roofs::Pyramid::OPERATION,
+    roofs::Ridge::OPERATION,
+    roofs::Shed::OPERATION,
+    roofs::Taper::OPERATION,
     insert::Insert::OPERATION,
     insert_along_uv::InsertAlongUv::OPERATION,
     instance::Instance::OPERATION,
@@ -117,6 +162,9 @@ pub static OPERATIONS: &[Operation] = &[
     rotate_scope::MirrorScope::OPERATION,
     rotate_scope::SetPivot::OPERATION,
     reset_geometry::ResetGeometry::OPERATION,
+    normals::SetNormals::OPERATION,
+    normals::SoftenNormals::OPERATION,
+    normals::ReduceGeometry::OPERATION,
     set::Set::OPERATION,
     color::Color::OPERATION,
     texture::SetTexture::OPERATION,
@@ -150,11 +198,44 @@ pub struct Operation {
     /// Plans do not show what it does.
     pub unseen: bool,
     components: Components,
+    sections: Sections,
     apply: Application,
+    ready: fn(&mut [Option<Value>]) -> Option<Box<dyn Ready>>,
+}
+
+/// An operation whose arguments are known before derivation: decoded once, applied to every shape.
+pub trait Ready: Send + Sync {
+    /// The components for the selectors.
+    fn components(&self, shape: &Shape) -> Result<Vec<Component>, Problem>;
+
+    /// The entry of each section of a perimeter, `most` at most.
+    fn sections(&self, shape: &Shape, cuts: &[Cut], most: usize) -> Result<Vec<u16>, Problem>;
+
+    /// Changes the shape or gives its pieces.
+    fn apply(&self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem>;
+}
+
+struct Decoded<T>(T);
+
+impl<T: Apply + Clone + Send + Sync> Ready for Decoded<T> {
+    fn components(&self, shape: &Shape) -> Result<Vec<Component>, Problem> {
+        self.0.components(shape)
+    }
+
+    fn sections(&self, shape: &Shape, cuts: &[Cut], most: usize) -> Result<Vec<u16>, Problem> {
+        self.0.sections(shape, cuts, most)
+    }
+
+    fn apply(&self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
+        self.0.clone().apply(shape, given)
+    }
 }
 
 /// Arguments, one per parameter, and a shape → what selectors choose among.
 type Components = fn(&mut [Option<Value>], &Shape) -> Result<Vec<Component>, Problem>;
+
+/// Arguments, one per parameter, a shape and the sizes of a block → the entry of each section.
+type Sections = fn(&mut [Option<Value>], &Shape, &[Cut], usize) -> Result<Vec<u16>, Problem>;
 
 /// Arguments, one per parameter, and a shape → pieces; the shape is changed in place.
 type Application = fn(&mut [Option<Value>], &mut Shape, &Given) -> Result<Pieces, Problem>;
@@ -163,8 +244,12 @@ type Application = fn(&mut [Option<Value>], &mut Shape, &Given) -> Result<Pieces
 pub struct Given<'a> {
     /// The sizes of a split block, evaluated on the shape.
     pub cuts: &'a [Cut],
+    /// The depth of each section of a perimeter, as [`Apply::sections`] counts them.
+    pub depths: &'a [f64],
     /// For each component the entry of the block that selected it, and whether its pieces are put together.
     pub chosen: &'a [Option<Choice>],
+    /// What was derived of each part of a block of operands: what can become part of a shape.
+    pub operands: &'a [Vec<Shape>],
     /// Where the operation's random numbers come from.
     pub seed: Seed,
     /// The seed of the lot: what its plants have in common.
@@ -208,8 +293,8 @@ pub struct Given<'a> {
 pub struct Choice {
     /// The entry.
     pub entry: u16,
-    /// `=`: all components of the entry in one shape.
-    pub together: bool,
+    /// What becomes of the entry's components.
+    pub gather: Gather,
 }
 
 /// What an operation makes of a shape.
@@ -222,9 +307,11 @@ pub enum Pieces {
     Told(Effect),
     /// Successors, each for an entry of the block, that use the shape up.
     Parts(Vec<Part>),
+    /// The same, and something is to be known about them.
+    Noted(Vec<Part>, Vec<Remark>),
     /// The same, beside the shape: points set on a lawn leave the lawn.
     Beside(Vec<Part>),
-    /// The same, and something is to be known about them.
+    /// The same with places that plants keep for themselves, and something is to be known about them.
     Placed(Vec<Part>, Vec<Remark>),
 }
 
@@ -243,8 +330,15 @@ pub struct Remark {
 pub struct Part {
     /// The entry of the block it goes to.
     pub entry: u16,
-    /// Its shape; the engine gives it its seed.
-    pub shape: Shape,
+    /// Its shape, in the box that it stays in; the engine gives it its seed.
+    pub shape: Box<Shape>,
+}
+
+impl Part {
+    /// A successor for an entry of the block.
+    pub fn new(entry: u16, shape: Shape) -> Part {
+        Part { entry, shape: Box::new(shape) }
+    }
 }
 
 /// What an operation tells beside the shape.
@@ -286,6 +380,11 @@ pub trait Apply {
         Ok(Vec::new())
     }
 
+    /// The entry of every section that a perimeter is split into, so that their depths can be evaluated.
+    fn sections(&self, _shape: &Shape, _cuts: &[Cut], _most: usize) -> Result<Vec<u16>, Problem> {
+        Ok(Vec::new())
+    }
+
     /// Changes the shape or gives its pieces; pieces leave the shape as it was.
     fn apply(self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem>;
 }
@@ -312,20 +411,38 @@ impl Pieces {
 }
 
 impl Operation {
-    const fn of<T: Apply + Decode>(spec: &'static Spec) -> Operation {
+    const fn of<T: Apply + Decode + Clone + Send + Sync + 'static>(spec: &'static Spec) -> Operation {
         Operation {
             spec,
             looks_around: T::LOOKS_AROUND,
             labels: T::LABELS,
             unseen: T::UNSEEN,
             components: |values, shape| T::decode(values)?.components(shape),
+            sections: |values, shape, cuts, most| T::decode(values)?.sections(shape, cuts, most),
             apply: |values, shape, given| T::decode(values)?.apply(shape, given),
+            ready: |values| T::decode(values).ok().map(|decoded| Box::new(Decoded(decoded)) as Box<dyn Ready>),
         }
+    }
+
+    /// The operation with its arguments, where they are known and can be taken; the values are used up.
+    pub fn ready(&self, values: &mut [Option<Value>]) -> Option<Box<dyn Ready>> {
+        (self.ready)(values)
     }
 
     /// The components for the selectors; the values are used up.
     pub fn components(&self, values: &mut [Option<Value>], shape: &Shape) -> Result<Vec<Component>, Problem> {
         (self.components)(values, shape)
+    }
+
+    /// The entry of each section of a perimeter, `most` at most; the values are used up.
+    pub fn sections(
+        &self,
+        values: &mut [Option<Value>],
+        shape: &Shape,
+        cuts: &[Cut],
+        most: usize,
+    ) -> Result<Vec<u16>, Problem> {
+        (self.sections)(values, shape, cuts, most)
     }
 
     /// Changes the shape or gives its pieces; the values are used up.

@@ -41,9 +41,9 @@ impl Apply for Offset {
         if !distance.is_finite() {
             return Err(Problem::new(format!("an offset of {distance} m cannot be done")));
         }
-        let geometry = match &shape.geometry {
-            Geometry::Flat(plane, area) => Geometry::Flat(plane.clone(), self.moved(area)),
-            Geometry::Prism(plane, area, height) => Geometry::Prism(plane.clone(), self.moved(area), *height),
+        let geometry = match std::mem::replace(&mut shape.geometry, Geometry::Empty) {
+            Geometry::Flat(plane, area) => Geometry::Flat(plane, self.moved(area)),
+            Geometry::Prism(plane, area, height) => Geometry::Prism(plane, self.moved(area), height),
             _ => return Err(Problem::new("`offset` takes flat shapes and prisms")),
         };
         fit::refit(shape, geometry);
@@ -52,17 +52,16 @@ impl Apply for Offset {
 }
 
 impl Offset {
-    fn moved(&self, area: &Area) -> Area {
-        let inside = geometry::offset(area, self.distance.0);
+    fn moved(&self, area: Area) -> Area {
+        if self.selector == Keep::Inside {
+            return geometry::into_offset(area, self.distance.0);
+        }
+        let moved = geometry::offset(&area, self.distance.0);
+        let (kept, outer) = if self.distance.0 < 0.0 { (&moved, &area) } else { (&area, &moved) };
+        let band = geometry::difference(outer, kept);
         match self.selector {
-            Keep::Inside => inside,
-            Keep::Border if self.distance.0 < 0.0 => geometry::difference(area, &inside),
-            Keep::Border => geometry::difference(&inside, area),
-            Keep::All => {
-                let (kept, outer) = if self.distance.0 < 0.0 { (&inside, area) } else { (area, &inside) };
-                let band = geometry::difference(outer, kept);
-                kept.polygons().iter().chain(band.polygons()).cloned().collect()
-            }
+            Keep::All => kept.polygons().iter().chain(band.polygons()).cloned().collect(),
+            _ => band,
         }
     }
 }

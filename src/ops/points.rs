@@ -27,7 +27,7 @@ pub fn children(shape: &Shape, plane: &Plane, lift: DVec3, points: &[DVec2]) -> 
         let mut child = fit::point(shape, plane.at(*point) + lift);
         child.scope.frame = child.scope.frame.turned(turn);
         child.ordinals.place = Place { index, total, ..Place::default() };
-        Part { entry: 0, shape: child }
+        Part::new(0, child)
     });
     Pieces::Beside(parts.collect())
 }

@@ -9,7 +9,7 @@ use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
 operation! {
-    /// A rectangle on the ground of the scope.
+    /// A rectangle on the ground of the scope; negative sizes reach the other way.
     /// ```cga
     /// Slab --> primitiveQuad(2, 3) Stone.
     /// ```
@@ -35,7 +35,7 @@ operation! {
 }
 
 operation! {
-    /// A box that fills the scope.
+    /// A box that fills the scope; negative sizes reach the other way.
     /// ```cga
     /// Plinth --> primitiveCube(1, 1.2, 1) Stone.
     /// ```
@@ -99,7 +99,7 @@ const MOST_SIDES: u32 = 1024;
 
 impl Apply for Quad {
     fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
-        let size = sized(shape, [self.width.0, 0.0, self.depth.0])?;
+        let size = signed(shape, [self.width.0, 0.0, self.depth.0])?;
         let polygon = Polygon::rectangle(DVec2::new(0.0, -size.z), DVec2::new(size.x, 0.0));
         fit::refit(shape, on_ground(polygon, 0.0));
         Ok(Pieces::Changed)
@@ -119,7 +119,7 @@ impl Apply for Disk {
 
 impl Apply for Cube {
     fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
-        let size = sized(shape, [self.width.0, self.height.0, self.depth.0])?;
+        let size = signed(shape, [self.width.0, self.height.0, self.depth.0])?;
         let polygon = Polygon::rectangle(DVec2::new(0.0, -size.z), DVec2::new(size.x, 0.0));
         fit::refit(shape, on_ground(polygon, size.y));
         Ok(Pieces::Changed)
@@ -164,10 +164,16 @@ fn sized(shape: &Shape, given: [f64; 3]) -> Result<DVec3, Problem> {
     Ok(DVec3::select(given.cmpgt(DVec3::ZERO), given, shape.scope.size))
 }
 
+/// The same, where a negative size reaches the other way.
+fn signed(shape: &Shape, given: [f64; 3]) -> Result<DVec3, Problem> {
+    let size = sized(shape, given.map(f64::abs))?;
+    Ok(DVec3::select(DVec3::from(given).cmplt(DVec3::ZERO), -size, size))
+}
+
 /// The polygon on the ground, with a height where it has one; empty where there is no polygon.
 fn on_ground(polygon: Option<Polygon>, height: f64) -> Geometry {
     match polygon.map(Area::from) {
-        Some(area) if height > 0.0 => Geometry::Prism(Plane::Ground, area, height),
+        Some(area) if height != 0.0 => Geometry::Prism(Plane::Ground, area, height),
         Some(area) => Geometry::Flat(Plane::Ground, area),
         None => Geometry::Empty,
     }

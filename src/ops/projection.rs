@@ -116,7 +116,7 @@ impl Apply for SetupProjection {
 
 impl Apply for ProjectUv {
     fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
-        let prepared = shape.surface().and_then(|surface| {
+        let prepared = shape.attached().and_then(|surface| {
             surface.projections.iter().find(|(set, _)| *set == self.uv_set).map(|(_, chart)| chart.clone())
         });
         let chart = prepared.unwrap_or_else(|| projected(&shape.scope.frame, 0, 1));

@@ -43,7 +43,7 @@ impl Apply for Rotate {
     fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
         let turn = turn([self.x, self.y, self.z])?;
         let before = shape.scope.frame;
-        let (fixed, turn) = match (self.centre, shape.surface().and_then(|surface| surface.pivot)) {
+        let (fixed, turn) = match (self.centre, shape.attached().and_then(|surface| surface.pivot)) {
             (About::Center, _) => (shape.scope.size * 0.5, turn),
             (About::Pivot, Some(pivot)) => {
                 let axes = before.rotation.inverse() * pivot.rotation;

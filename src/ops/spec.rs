@@ -1,6 +1,6 @@
 //! What an operation declares about itself: read by the checker, the engine, the manual, the editor and the tests.
 
-use crate::value::{Size, Value};
+use crate::value::{Array, Cells, Size, Value};
 use std::sync::Arc;
 
 /// The declaration of an operation or function.
@@ -66,6 +66,12 @@ pub enum ParamKind {
     Attribute,
     /// Anything.
     Any,
+    /// Metres, or an array with a number of metres for each edge.
+    PerEdge,
+    /// An array of truth values.
+    Truths,
+    /// Metres, evaluated with each edge as the current shape.
+    OnEdges,
     /// What the kind inside takes, also an expression of the position: it may vary over the shape.
     Varying(&'static ParamKind),
 }
@@ -77,10 +83,14 @@ pub enum BlockKind {
     None,
     /// `{ size : A | … }*`
     Cuts,
+    /// `{ length : depth : A | … }*{ remainder : B }`
+    Perimeter,
     /// `{ selector : A | … }`, and which words it adds to the usual ones.
     Selectors(&'static [&'static str]),
     /// `{ A }`: one successor for every child.
     Body,
+    /// `{ A | B }`: so many successors, derived inside the rule.
+    Operands(usize),
 }
 
 /// Where an operation comes from.
@@ -110,6 +120,9 @@ impl ParamKind {
             ParamKind::Index(words) => format!("a number or one of {}", quoted(words)),
             ParamKind::Attribute => "the name of an attribute".into(),
             ParamKind::Any => "any value".into(),
+            ParamKind::PerEdge => "metres, or an array with metres for each edge".into(),
+            ParamKind::Truths => "an array of truth values".into(),
+            ParamKind::OnEdges => "a number of metres, asked on each edge".into(),
             ParamKind::Varying(inner) => format!("{}; it may vary over the shape", inner.words()),
         }
     }
@@ -126,6 +139,9 @@ impl ParamKind {
             (ParamKind::Any, _) => true,
             (ParamKind::Varying(inner), value) => inner.accepts(value),
             (ParamKind::Number | ParamKind::Metres | ParamKind::Degrees, Value::Float(_)) => true,
+            (ParamKind::PerEdge | ParamKind::OnEdges, Value::Float(_)) => true,
+            (ParamKind::Truths, Value::Array(array)) => matches!(array.cells(), Cells::Truths(_)),
+            (ParamKind::PerEdge, Value::Array(array)) => matches!(array.cells(), Cells::Numbers(_)),
             (ParamKind::Share | ParamKind::PerArea, Value::Float(number)) => *number >= 0.0,
             (ParamKind::Count, Value::Float(number)) => *number >= 0.0,
             (ParamKind::Size, Value::Float(_) | Value::Size(Size::Absolute(_) | Size::Relative(_))) => true,
@@ -225,6 +241,77 @@ impl<T: Parameter> Parameter for Varying<T> {
     }
 }
 
+/// A number of metres for all edges, or an array with one for each.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PerEdge {
+    /// The same for all.
+    Same(f64),
+    /// One for each; 0 beyond the last.
+    Each(Arc<Array>),
+}
+
+impl PerEdge {
+    /// The distance of an edge.
+    pub fn at(&self, edge: usize) -> f64 {
+        match self {
+            PerEdge::Same(metres) => *metres,
+            PerEdge::Each(array) => array.at(edge).as_float().unwrap_or(0.0),
+        }
+    }
+
+    /// Whether each edge has its own.
+    pub fn is_array(&self) -> bool {
+        matches!(self, PerEdge::Each(_))
+    }
+}
+
+impl Parameter for PerEdge {
+    const KIND: ParamKind = ParamKind::PerEdge;
+    fn from_value(value: &Value) -> Option<Self> {
+        match value {
+            Value::Array(array) => matches!(array.cells(), Cells::Numbers(_)).then(|| PerEdge::Each(array.clone())),
+            value => value.as_float().filter(|n| !n.is_nan()).map(PerEdge::Same),
+        }
+    }
+}
+
+/// An array of truth values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Truths(Arc<Array>);
+
+impl Truths {
+    /// The value of that number; `false` beyond the last.
+    pub fn at(&self, index: usize) -> bool {
+        self.0.at(index).as_bool().unwrap_or(false)
+    }
+}
+
+impl Parameter for Truths {
+    const KIND: ParamKind = ParamKind::Truths;
+    fn from_value(value: &Value) -> Option<Self> {
+        let array = value.as_array().filter(|array| matches!(array.cells(), Cells::Truths(_)))?;
+        Some(Truths(array.clone()))
+    }
+}
+
+/// Metres by edge that the engine has asked on each; none while it asks for the edges.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OnEdges(Arc<Array>);
+
+impl OnEdges {
+    /// The distance of an edge.
+    pub fn at(&self, edge: usize) -> f64 {
+        self.0.at(edge).as_float().unwrap_or(0.0)
+    }
+}
+
+impl Parameter for OnEdges {
+    const KIND: ParamKind = ParamKind::OnEdges;
+    fn from_value(value: &Value) -> Option<Self> {
+        value.as_array().cloned().map(OnEdges)
+    }
+}
+
 /// A text or a bare word.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Word(pub Arc<str>);
@@ -287,9 +374,11 @@ impl Spec {
         let block = match self.block {
             BlockKind::None => "",
             BlockKind::Cuts => " { size : A | size : B }",
+            BlockKind::Perimeter => " { length : depth : A } { remainder : B }",
             BlockKind::Selectors(extra) if extra.contains(&"remainder") => " { selector : A | remainder : B }",
             BlockKind::Selectors(_) => " { selector : A }",
-            BlockKind::Body => " { A }",
+            BlockKind::Body | BlockKind::Operands(1) => " { A }",
+            BlockKind::Operands(_) => " { A | B }",
         };
         format!("{}({}){block}", self.name, params.join(", "))
     }

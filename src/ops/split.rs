@@ -103,22 +103,27 @@ impl Apply for Split {
         };
         let length = shape.scope.size[axis.index()];
         let intervals = intervals(given.cuts, length, given.most)?;
-        let total = intervals.len() as u32;
-        let pieces = cut(shape, axis, &intervals)?;
-        let mut parts = Vec::with_capacity(pieces.len());
-        for (index, (interval, geometry)) in (0..).zip(intervals.iter().zip(pieces)) {
-            let child = match self.scope {
-                _ if geometry == Geometry::Empty => None,
-                Adjust::Adjust | Adjust::UnitSpace | Adjust::UvSpace => fit::fitted(shape, geometry),
-                Adjust::NoAdjust => Some(unadjusted(shape, axis, interval, geometry)),
-            };
-            if let Some(mut child) = child {
-                child.ordinals.split = (index, total);
-                parts.push(Part { entry: interval.entry, shape: child });
-            }
-        }
-        Ok(Pieces::Parts(parts))
+        parts(shape, axis, self.scope, &intervals)
     }
+}
+
+/// The shape's parts between places on an axis.
+pub(super) fn parts(shape: &Shape, axis: Axis, scope: Adjust, intervals: &[Interval]) -> Result<Pieces, Problem> {
+    let total = intervals.len() as u32;
+    let pieces = cut(shape, axis, intervals)?;
+    let mut parts = Vec::with_capacity(pieces.len());
+    for (index, (interval, geometry)) in (0..).zip(intervals.iter().zip(pieces)) {
+        let child = match scope {
+            _ if geometry == Geometry::Empty => None,
+            Adjust::Adjust | Adjust::UnitSpace | Adjust::UvSpace => fit::fitted(shape, geometry),
+            Adjust::NoAdjust => Some(unadjusted(shape, axis, interval, geometry)),
+        };
+        if let Some(mut child) = child {
+            child.ordinals.split = (index, total);
+            parts.push(Part::new(interval.entry, child));
+        }
+    }
+    Ok(Pieces::Parts(parts))
 }
 
 fn unadjusted(shape: &Shape, axis: Axis, interval: &Interval, geometry: Geometry) -> Shape {

@@ -65,7 +65,7 @@ impl Cutter<'_> {
         let parts = (0..).zip(intervals).zip(children).filter_map(|((index, interval), child)| {
             let mut shape = child?;
             shape.ordinals.split = (index, total);
-            Some(Part { entry: interval.entry, shape })
+            Some(Part::new(interval.entry, shape))
         });
         Ok(parts.collect())
     }

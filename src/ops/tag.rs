@@ -115,7 +115,7 @@ impl Apply for DeleteTags {
             };
             sort && tag.answers(&self.query.0)
         };
-        if shape.surface().is_some_and(|surface| surface.tags.iter().any(meant)) {
+        if shape.attached().is_some_and(|surface| surface.tags.iter().any(meant)) {
             shape.surface_mut().tags.retain(|tag| !meant(tag));
         }
         Ok(Pieces::Changed)

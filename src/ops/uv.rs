@@ -205,7 +205,7 @@ impl Apply for TileUv {
 
 impl Apply for DeleteUv {
     fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
-        if shape.surface().is_some_and(|surface| surface.chart(self.uv_set).is_some()) {
+        if shape.attached().is_some_and(|surface| surface.chart(self.uv_set).is_some()) {
             shape.surface_mut().charts.retain(|(set, _)| *set != self.uv_set);
         }
         Ok(Pieces::Changed)

@@ -2,9 +2,9 @@
 
 use crate::layout::Georeference;
 use crate::raster::{Drawn, Flaw, Raster, RasterError};
+use crate::shelf::Shelf;
 use crate::world::{World, join};
-use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::Arc;
 
 /// The coverage maps of a run.
 pub struct Rasters<'a> {
@@ -12,8 +12,8 @@ pub struct Rasters<'a> {
     /// The rule file that paths are relative to.
     rules: String,
     georeference: Georeference,
-    rasters: Shelf<Raster>,
-    drawn: Shelf<Drawn>,
+    rasters: Shelf<Arc<Raster>, RasterError>,
+    drawn: Shelf<Arc<Drawn>, RasterError>,
 }
 
 impl<'a> Rasters<'a> {
@@ -26,39 +26,17 @@ impl<'a> Rasters<'a> {
     /// The raster at a path, as a rule writes it. What is wrong with a file is the same for everyone who asks.
     pub fn get(&self, path: &str) -> Result<Arc<Raster>, RasterError> {
         self.rasters.get(&join(&self.rules, path), |path| {
-            let bytes = self.world.asset(path)?;
-            Raster::read(path, &bytes, self.world, &self.georeference)
+            let bytes = self.world.asset(path).map_err(|error| Flaw::from(error).of(path))?;
+            let raster = Raster::read(path, &bytes, self.world, &self.georeference);
+            raster.map(Arc::new).map_err(|flaw| flaw.of(path))
         })
     }
 
     /// The drawn polygons at a path, as a rule writes it.
     pub fn drawn(&self, path: &str) -> Result<Arc<Drawn>, RasterError> {
         self.drawn.get(&join(&self.rules, path), |path| {
-            let bytes = self.world.source(path)?;
-            Drawn::read(path, &bytes, &self.georeference)
+            let bytes = self.world.source(path).map_err(|error| Flaw::from(error).of(path))?;
+            Drawn::read(path, &bytes, &self.georeference).map(Arc::new).map_err(|flaw| flaw.of(path))
         })
-    }
-}
-
-/// A file that is read, or is about to be.
-type Slot<T> = Arc<OnceLock<Result<Arc<T>, RasterError>>>;
-
-/// Files by path.
-struct Shelf<T>(Mutex<BTreeMap<String, Slot<T>>>);
-
-impl<T> Default for Shelf<T> {
-    fn default() -> Shelf<T> {
-        Shelf(Mutex::default())
-    }
-}
-
-impl<T> Shelf<T> {
-    /// The file at a path; the first to ask reads it, others wait for that file alone.
-    fn get(&self, path: &str, read: impl FnOnce(&str) -> Result<T, Flaw>) -> Result<Arc<T>, RasterError> {
-        let slot = {
-            let mut slots = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-            slots.entry(path.into()).or_default().clone()
-        };
-        slot.get_or_init(|| read(path).map(Arc::new).map_err(|flaw| flaw.of(path))).clone()
     }
 }

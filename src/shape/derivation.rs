@@ -1,7 +1,7 @@
 //! What a derivation leaves: per lot the tree of shapes with its leaves, and what rules reported.
 
 use crate::diag::Diagnostic;
-use crate::shape::Shape;
+use crate::shape::{Record, Shape};
 use crate::value::Value;
 use std::sync::Arc;
 
@@ -40,6 +40,8 @@ pub struct Outcome {
     pub prints: Vec<Print>,
     /// Branches that were stopped, and why.
     pub diagnostics: Vec<Diagnostic>,
+    /// The way to it, where it was asked for.
+    pub record: Option<Box<Record>>,
 }
 
 /// Index of a node in its lot's tree.

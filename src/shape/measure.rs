@@ -53,24 +53,6 @@ impl Shape {
         }
     }
 
-    /// The area of the faces that look one way: `all`, `top`, `bottom`, `side`, `front` …
-    pub fn area_towards(&self, way: &str) -> f64 {
-        if way == "all" {
-            return self.measure().area;
-        }
-        let Some(mesh) = self.local_mesh() else { return 0.0 };
-        let looks = |normal: DVec3| match way {
-            "top" => normal.y > 0.7,
-            "bottom" => normal.y < -0.7,
-            "front" => normal.z > 0.7,
-            "back" => normal.z < -0.7,
-            "left" => normal.x < -0.7,
-            "right" => normal.x > 0.7,
-            _ => normal.y.abs() <= 0.7,
-        };
-        mesh.faces().filter(|face| looks(face.normal())).map(|face| face.area()).sum()
-    }
-
     /// Whether a flat shape is one rectangle, its angles within a tolerance in degrees.
     pub fn is_rectangular(&self, tolerance: f64) -> bool {
         match &self.geometry {

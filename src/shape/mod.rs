@@ -2,22 +2,29 @@
 
 mod chart;
 mod derivation;
+mod facing;
 mod footprint;
+mod gap;
 mod geometry;
 mod measure;
 mod occluders;
+mod record;
 mod scope;
 mod state;
+mod streets;
 mod surface;
 mod tag;
 
 pub use chart::{Chart, Course, Way};
 pub use derivation::{Derivation, LeafOf, Lot, Node, NodeId, Outcome, Print};
+pub use facing::Facing;
 pub use footprint::{Extent, Footprint, on_plan};
 pub use geometry::{Geometry, Grown, Placed, Plane};
 pub use measure::Measure;
 pub use occluders::{Occluder, Occluders, Relation};
+pub use record::{Deed, Event, Passage, Record};
 pub use scope::{Axis, Frame, Scope};
 pub use state::{Envelope, Ordinals, Place, Shape, Style};
+pub use streets::{StreetSide, Streets};
 pub use surface::Surface;
 pub use tag::{Part, Patch, Tag};

@@ -14,6 +14,8 @@ const TOUCH: f64 = 1e-3;
 const FEW: usize = 24;
 /// Cells a wide occluder may stand in before it is looked at in every query instead.
 const MOST_CELLS: i64 = 4096;
+/// Nothing is looked for beyond this (m).
+const FARTHEST: f64 = 1e8;
 
 /// How one shape lies to another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -114,6 +116,29 @@ impl Occluders {
     /// Whether anything answers to the label.
     pub fn has(&self, label: &str) -> bool {
         self.items.iter().any(|(_, occluder)| occluder.answers_to(Some(label)))
+    }
+
+    /// Everything under a label, in the order it came.
+    pub fn labelled<'a>(&'a self, label: &'a str) -> impl Iterator<Item = &'a Occluder> {
+        self.items.iter().map(|(_, occluder)| occluder).filter(move |occluder| occluder.answers_to(Some(label)))
+    }
+
+    /// Distance to the nearest under a label; ancestors do not count. `None` where there is none.
+    ///
+    /// Looks in a reach that grows until it is sure of what it found.
+    pub fn nearest(&self, shape: &Footprint, label: &str, is_ancestor: &dyn Fn(NodeId) -> bool) -> Option<f64> {
+        let bounds = shape.extent.bounds();
+        let mut reach = self.cell;
+        while !bounds.is_empty() && reach <= FARTHEST {
+            let near = self.near(bounds.grown(reach));
+            let found = near.filter(|o| o.answers_to(Some(label)) && !o.node.is_some_and(is_ancestor));
+            match found.map(|o| shape.distance(&o.footprint)).reduce(f64::min) {
+                Some(distance) if distance <= reach => return Some(distance),
+                Some(distance) => reach = distance,
+                None => reach *= 8.0,
+            }
+        }
+        None
     }
 
     /// What may touch a rectangle, in the order it came.

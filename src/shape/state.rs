@@ -1,7 +1,7 @@
 //! A shape: scope, geometry, what it inherits, and its seed.
 
 use crate::seed::Seed;
-use crate::shape::{Geometry, Scope, Surface};
+use crate::shape::{Geometry, Scope, Streets, Surface};
 use crate::value::Value;
 use glam::DQuat;
 use std::sync::Arc;
@@ -34,6 +34,8 @@ pub struct Style {
     pub label: Option<Arc<str>>,
     /// How the initial shape was turned: what `object.front` means.
     pub object: DQuat,
+    /// The streets around the lot: what `street.front` means; the sides of the initial shape where none are known.
+    pub streets: Option<Arc<Streets>>,
     /// What plants keep clear of.
     pub envelope: Envelope,
     /// Texture coordinates, textures and tags; none for most shapes.

@@ -73,7 +73,7 @@ impl Surface {
 
 impl Shape {
     /// What its surface carries, if anything.
-    pub fn surface(&self) -> Option<&Surface> {
+    pub fn attached(&self) -> Option<&Surface> {
         self.style.surface.as_deref()
     }
 
@@ -103,7 +103,7 @@ impl Shape {
     ///
     /// Cost where there is none yet: that of [`crate::geometry::Ribbon::along`].
     pub fn chart(&self, set: u32) -> Option<Chart> {
-        let surface = self.surface();
+        let surface = self.attached();
         let own = surface.and_then(|s| s.chart(set).or_else(|| s.chart(0)));
         own.cloned().or_else(|| {
             let [first, second, third] = chart::native(self)?;
@@ -117,7 +117,7 @@ impl Shape {
 
     /// Gives the shape its native charts where it has none, so that all that comes of it shares them.
     pub fn charted(&mut self) {
-        if self.surface().is_some_and(|surface| !surface.charts.is_empty()) {
+        if self.attached().is_some_and(|surface| !surface.charts.is_empty()) {
             return;
         }
         if let Some(charts) = chart::native(self) {
@@ -127,7 +127,7 @@ impl Shape {
 
     /// About what it turns: the pivot where one is set, else its scope's origin and axes.
     pub fn pivot(&self) -> Frame {
-        self.surface().and_then(|surface| surface.pivot).unwrap_or(self.scope.frame)
+        self.attached().and_then(|surface| surface.pivot).unwrap_or(self.scope.frame)
     }
 
     fn carried(&mut self, motion: &DAffine3) {

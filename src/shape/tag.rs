@@ -134,7 +134,7 @@ impl Shape {
 
     /// Whether a face, edge or vertex of it has a tag that answers to a query. Cost: tags times components.
     pub fn is_tagged(&self, query: &str, part: Part) -> bool {
-        let tags = self.surface().map_or(&[][..], |surface| &surface.tags);
+        let tags = self.attached().map_or(&[][..], |surface| &surface.tags);
         let mut asked = tags.iter().filter(|tag| tag.answers(query)).peekable();
         if asked.peek().is_none() {
             return false;
@@ -145,7 +145,7 @@ impl Shape {
 
     /// The names of all tags on its components of a sort, each once, in alphabetical order.
     pub fn tags(&self, part: Part) -> Vec<Arc<str>> {
-        let tags = self.surface().map_or(&[][..], |surface| &surface.tags);
+        let tags = self.attached().map_or(&[][..], |surface| &surface.tags);
         let patches = if tags.is_empty() { Vec::new() } else { self.patches(part) };
         let held = tags.iter().filter(|tag| patches.iter().any(|patch| tag.patch.covers(patch)));
         let names: std::collections::BTreeSet<Arc<str>> = held.map(|tag| tag.name.clone()).collect();

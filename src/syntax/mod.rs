@@ -9,12 +9,14 @@ pub mod ast;
 mod build;
 mod depth;
 mod explain;
+mod format;
 mod grammar;
 mod outline;
 mod paper;
 mod source;
 mod token;
 
+pub use format::format;
 pub use source::Source;
 
 use crate::diag::{Diagnostic, Span};
@@ -40,6 +42,7 @@ const MAX_STEPS: usize = 2_000_000_000;
 pub fn parse(file: u16, source: &Source) -> (File, Vec<Diagnostic>) {
     let mut parse = Parse { file, text: source.text(), reports: Vec::new(), tree: File::default(), noted: Vec::new() };
     parse.reports.extend(source.lint(file));
+    parse.reports.extend(source.lint_nul(file));
     if parse.text.len() > MAX_BYTES {
         let message = format!("`{}` has more than {} MiB, too much for a rule file", source.path(), MAX_BYTES >> 20);
         parse.reports.push(Diagnostic::error("syntax-limit", Span { file, start: 0, end: 0 }, message));

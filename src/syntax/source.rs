@@ -20,6 +20,8 @@ pub struct Source {
     lines: Vec<u32>,
     /// The first character that was not UTF-8.
     foreign: Option<Foreign>,
+    /// Where the first NUL byte was, which reads as a blank.
+    nul: Option<u32>,
 }
 
 /// A character that made a file be read as Windows-1252.
@@ -38,9 +40,11 @@ impl Source {
             Ok(text) => (text.to_owned(), Vec::new(), None),
             Err(error) => windows_1252(body, error.valid_up_to()),
         };
+        let nul = text.find('\0').map(|at| at as u32);
+        let text = if nul.is_some() { text.replace('\0', " ") } else { text };
         let ends = text.bytes().enumerate().filter(|(_, b)| *b == b'\n').map(|(i, _)| i as u32 + 1);
         let lines = std::iter::once(0).chain(ends).collect();
-        Source { path: path.to_owned(), text, skipped, excess, lines, foreign }
+        Source { path: path.to_owned(), text, skipped, excess, lines, foreign, nul }
     }
 
     /// The path as it was asked for.
@@ -61,6 +65,17 @@ impl Source {
         offset - excess + self.skipped
     }
 
+    /// Another text as bytes, the way this file is written: with its byte-order mark, and in Windows-1252 if it is.
+    ///
+    /// What Windows-1252 has no byte for, which cannot come from this file, becomes `?`.
+    pub fn encoded(&self, text: &str) -> Vec<u8> {
+        let mark = if self.skipped > 0 { "\u{feff}".as_bytes() } else { &[] };
+        match self.foreign {
+            None => [mark, text.as_bytes()].concat(),
+            Some(_) => mark.iter().copied().chain(text.chars().map(byte_1252)).collect(),
+        }
+    }
+
     /// Line and column of a byte of the text, both from 1, the column in characters; past the end, the end.
     ///
     /// Cost: logarithmic in the lines and linear in the column.
@@ -69,6 +84,14 @@ impl Source {
         let line = self.lines.partition_point(|start| *start as usize <= offset);
         let start = self.lines[line - 1] as usize;
         (line, self.text[start..offset].chars().count() + 1)
+    }
+
+    /// That there are NUL bytes in the file.
+    pub(super) fn lint_nul(&self, file: u16) -> Option<Diagnostic> {
+        let at = self.nul?;
+        let message = format!("`{}` holds NUL bytes, which are read as blanks", self.path);
+        let lint = Diagnostic::lint("syntax-encoding", Span { file, start: at, end: at + 1 }, message);
+        Some(lint.hint("the file may be UTF-16 or damaged: save it as UTF-8"))
     }
 
     /// What is to be said about how the file is written: that it is not UTF-8.
@@ -99,12 +122,22 @@ fn windows_1252(bytes: &[u8], valid: usize) -> (String, Vec<(u32, u32)>, Option<
     (text, excess, foreign)
 }
 
-/// The character of a Windows-1252 byte; the five unassigned bytes give the control characters of Latin-1.
+/// The characters of the Windows-1252 bytes from 0x80 on; the five unassigned ones give the control characters of Latin-1.
+const FROM_80: [char; 32] = [
+    '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}', '\u{90}', '‘', '’',
+    '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
+];
+
+/// The byte that [`character_1252`] gives the character for.
+fn byte_1252(character: char) -> u8 {
+    match FROM_80.iter().position(|c| *c == character) {
+        Some(index) => 0x80 + index as u8,
+        None => u8::try_from(u32::from(character)).unwrap_or(b'?'),
+    }
+}
+
+/// The character of a Windows-1252 byte.
 fn character_1252(byte: u8) -> char {
-    const FROM_80: [char; 32] = [
-        '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}', '\u{90}', '‘',
-        '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
-    ];
     match byte {
         0x80..=0x9f => FROM_80[usize::from(byte - 0x80)],
         other => char::from(other),

@@ -1,8 +1,12 @@
 //! The values of the language: what attributes hold, functions return and layout properties become.
 
 mod array;
+mod build;
+mod each;
+mod pick;
 
 pub use array::{Array, Cells};
+pub use build::MOST_CELLS;
 
 use std::fmt;
 use std::sync::Arc;

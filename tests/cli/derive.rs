@@ -98,6 +98,47 @@ fn the_seed_decides_the_bytes() {
 }
 
 #[test]
+fn a_style_may_be_asked_for_and_a_manifest_may_have_one() {
+    let rules = "attr height = 1\nLot --> print(height) Lawn\nstyle Winter\nattr height = 2\n";
+    let bench = Bench::two_lots(rules);
+    assert_eq!(bench.derive_two("-o a.svg").ends(0).out, "west Lot: 1\neast Lot: 1\n");
+    assert_eq!(bench.derive_two("-o a.svg --style Winter").ends(0).out, "west Lot: 2\neast Lot: 2\n");
+    let wrong = bench.derive_two("-o a.svg --style Wintr").ends(1);
+    wrong.says(&["`rules.cga` has no style `Wintr`", "did you mean `Winter`?", "the file has `Default`, `Winter`"]);
+    bench.bosquet("check rules.cga --style Summer").ends(1).says(&["has no style `Summer`"]);
+    let bench = bench.with("bosquet.toml", "layout = 'two.geojson'\nrules = 'rules.cga'\nstyle = 'Winter'\n");
+    assert_eq!(bench.bosquet("derive . -o a.svg").ends(0).out, "west Lot: 2\neast Lot: 2\n");
+    assert_eq!(bench.bosquet("derive . -o a.svg --style Default").ends(0).out, "west Lot: 1\neast Lot: 1\n");
+}
+
+#[test]
+fn every_style_of_a_file_is_checked() {
+    let bench = Bench::two_lots("Lot --> Lawn\nstyle Winter\nLot --> extrde(3) Lawn\n");
+    bench.bosquet("check rules.cga").ends(1).says(&["there is no operation or rule `extrde`"]);
+    bench.bosquet("check rules.cga --style Default").ends(0);
+}
+
+#[test]
+fn lists_come_from_the_layout_the_manifest_and_the_command_line() {
+    let rules = "attr list = [0]\nattr words = [\"a\"]\nLot --> print(list) print(words) Lawn\n";
+    let lot = r#"{"type": "Feature", "crs": "local", "properties": {"kind": "lot", "list": [[1, 2], [3, 4]], "mixed": [1, "a"]},
+        "geometry": {"type": "Polygon", "coordinates": [[[0, 0], [40, 0], [40, 20], [0, 20], [0, 0]]]}}"#;
+    let bench = Bench::new().with("lot.geojson", lot).with("rules.cga", rules);
+    let ran = bench.bosquet("derive lot.geojson --rules rules.cga -o a.svg").ends(0);
+    assert_eq!(ran.out, "0 Lot: [1, 2; 3, 4]\n0 Lot: [a]\n");
+    ran.says(&["properties that are objects or lists of several types are skipped"]);
+    let set = "derive lot.geojson --rules rules.cga -o a.svg --set list=[7,8] --set words=[\"b\",\"c\"]";
+    assert_eq!(bench.bosquet(set).ends(0).out, "0 Lot: [7, 8]\n0 Lot: [b, c]\n");
+    bench
+        .bosquet("derive lot.geojson --rules rules.cga --set list=7")
+        .ends(2)
+        .says(&["`list` takes a list of numbers"]);
+    let manifest = "layout = 'lot.geojson'\nrules = 'rules.cga'\nattributes.list = [5]\n";
+    let bench = bench.with("bosquet.toml", manifest);
+    assert_eq!(bench.bosquet("derive . -o a.svg").ends(0).out, "0 Lot: [5]\n0 Lot: [a]\n");
+}
+
+#[test]
 fn rules_print_to_standard_output_and_words_go_to_standard_error() {
     let bench = Bench::two_lots("Lot --> print(\"here\") Lawn");
     let ran = bench.derive_two("-o a.svg").ends(0).says(&["wrote a.svg"]);

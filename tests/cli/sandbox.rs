@@ -70,3 +70,16 @@ fn models_stay_in_the_folder() {
     bench.bosquet("derive garden -o a.svg").ends(1).says(&["`seat.obj` lies outside", "garden/c.toml:"]);
     bench.bosquet("derive garden -o a.svg --allow-outside").ends(0);
 }
+
+#[test]
+fn tables_and_searches_stay_in_the_folder() {
+    let rules = "Lot --> print(\"there: \" + fileExists(\"../beside/oaks.csv\")) print(fileSearch(\"*.csv\")) Rows\n\
+                 Rows --> report(rows, nRows(readStringTable(\"../beside/oaks.csv\"))) Lawn";
+    let bench = Bench::garden().with("garden/garden.cga", rules).with("beside/oaks.csv", "a,b\n");
+    let bench = bench.with("garden/data/elms.csv", "a,b\n");
+    let ran = bench.bosquet("derive garden -o a.svg").says(&["`beside/oaks.csv` lies outside the place's folder"]);
+    assert!(ran.out.contains("there: false") && ran.out.contains("data/elms.csv;"), "{ran:#?}");
+    assert!(!ran.out.contains("oaks.csv"), "{ran:#?}");
+    let ran = bench.bosquet("derive garden -o a.svg --allow-outside").ends(0);
+    assert!(ran.out.contains("there: true") && ran.out.contains("beside/oaks.csv;"), "{ran:#?}");
+}

@@ -2,7 +2,7 @@
 
 use bosquet::geometry::Polygon;
 use bosquet::layout::{Feature, Kind, Layout, Region, Shapes};
-use bosquet::value::Value;
+use bosquet::value::{Array, Cells, Value};
 use glam::DVec2;
 use std::sync::Arc;
 
@@ -33,8 +33,13 @@ pub fn layout(mut regions: Vec<Region>, features: Vec<Feature>) -> Layout {
     Layout { regions, features, ..Layout::default() }
 }
 
-/// A value as written behind `name=`: a number, a truth value, or else a text.
+/// A value as written behind `name=`: a number, an array of numbers (`[1,0,2]`), a truth value, or else a text.
 pub fn value(text: &str) -> Value {
+    let list = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
+    let numbers = list.and_then(|list| list.split(',').map(|n| n.parse().ok()).collect::<Option<Vec<f64>>>());
+    if let Some(numbers) = numbers {
+        return Value::Array(Arc::new(Array::row(Cells::Numbers(numbers))));
+    }
     match (text.parse::<f64>(), text) {
         (Ok(number), _) => Value::Float(number),
         (_, "true" | "false") => Value::Bool(text == "true"),

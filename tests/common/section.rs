@@ -51,7 +51,7 @@ pub struct Note {
     pub hints: Vec<String>,
 }
 
-const DIRECTIVES: [&str; 7] = ["Layout", "Set", "Seed", "Limit", "Report", "Count", "Start"];
+const DIRECTIVES: [&str; 8] = ["Layout", "Set", "Seed", "Limit", "Report", "Count", "Start", "Style"];
 
 /// Every section under a folder, in the order of paths and lines.
 pub fn sections(folder: &Path) -> Vec<Section> {

@@ -1,17 +1,17 @@
 //! Operations on the current shape: arguments in, pieces out, and what the lot remembers of them.
 
 use crate::check::{Application, Block, Code};
-use crate::derive::engine::{Current, Engine, Stop, Turn};
+use crate::derive::engine::{Current, Engine, Stop, Turn, record};
 use crate::derive::evaluate::{self, Failure};
 use crate::derive::frame::climb;
 use crate::derive::position::{self, Varied};
 use crate::derive::select;
 use crate::diag::Span;
-use crate::ops::{Effect, Given, ParamKind, Part, Pieces};
+use crate::ops::{Component, Cut, Effect, Given, ParamKind, Part, Pieces};
 use crate::placement::{Disk, Field};
 use crate::seed::Seed;
 use crate::shape::{Geometry, LeafOf, NodeId, Occluder, Print, Shape, on_plan};
-use crate::value::Value;
+use crate::value::{Array, Cells, Value};
 use glam::DVec3;
 use smallvec::SmallVec;
 use std::sync::Arc;
@@ -30,28 +30,42 @@ impl Engine<'_> {
         current: &mut Current,
     ) -> Result<(), Stop> {
         let cuts = match &application.block {
-            Block::Cuts(cuts) => {
+            Block::Cuts(cuts) | Block::Perimeter { cuts, .. } => {
                 select::cuts(cuts, &mut self.frame(turn, current)).map_err(|f| self.failed(f, turn))?
             }
             _ => Vec::new(),
         };
         let (mut values, mut fields) = (Values::new(), Fields::new());
-        self.arguments(application, turn, current, &mut values, &mut fields)?;
+        if application.ready.is_none() {
+            self.arguments(application, turn, current, &mut values, &mut fields)?;
+        }
         let chosen = match &application.block {
-            Block::Selectors(selectors) => {
-                let components = application.operation.components(&mut values.clone(), &current.shape);
+            Block::Selectors(selectors) | Block::Perimeter { rest: selectors, .. } => {
+                let components = application.components(&mut values.clone(), &current.shape);
                 let components = components.map_err(|p| self.problem(application, p, turn))?;
+                self.on_edges(application, turn, current, &components, &mut values)?;
                 let mut frame = self.frame(turn, current);
-                select::choose(selectors, &components, &mut frame).map_err(|f| self.failed(f, turn))?
+                let chosen = frame.with(|names, around| select::choose(selectors, &components, names, around));
+                chosen.map_err(|f| self.failed(f, turn))?
             }
+            _ => Vec::new(),
+        };
+        let depths = match &application.block {
+            Block::Perimeter { depths, .. } => self.depths(application, depths, &cuts, &values, turn, current)?,
             _ => Vec::new(),
         };
         let seed = current.shape.seed.child(current.count);
         current.count += 1;
+        let operands = match &application.block {
+            Block::Operands => self.operands(application, seed, turn, current)?,
+            _ => Vec::new(),
+        };
         let (branches, branch) = (&self.branches, current.branch);
         let given = Given {
             cuts: &cuts,
+            depths: &depths,
             chosen: &chosen,
+            operands: &operands,
             seed,
             lot: self.seed,
             run: self.options.seed,
@@ -71,9 +85,18 @@ impl Engine<'_> {
             rasters: self.rasters,
             most: self.options.limits.children,
         };
-        let pieces = application.operation.apply(&mut values, &mut current.shape, &given);
+        let applied = self.recorder.is_some().then(|| record::applied(application, &values));
+        let pieces = application.apply(&mut values, &mut current.shape, &given);
         let pieces = pieces.map_err(|p| self.problem(application, p, turn))?;
-        self.deliver(application, pieces, seed, turn, current)
+        let mark = self.mark();
+        let goes_on = matches!(pieces, Pieces::Changed);
+        self.happened(applied);
+        self.deliver(application, pieces, seed, turn, current)?;
+        // What an operation put beside the shape is not on the way of the shape itself.
+        if !goes_on {
+            self.release(mark);
+        }
+        Ok(())
     }
 
     /// Passes on what an operation made.
@@ -90,6 +113,11 @@ impl Engine<'_> {
             Pieces::Vanished => current.deleted = true,
             Pieces::Told(effect) => self.effect(application, effect, turn, current),
             Pieces::Parts(parts) => {
+                current.used = true;
+                self.parts(application, parts, (seed, current.branch), turn)?;
+            }
+            Pieces::Noted(parts, remarks) => {
+                remarks.into_iter().for_each(|remark| self.remark(application, remark, turn));
                 current.used = true;
                 self.parts(application, parts, (seed, current.branch), turn)?;
             }
@@ -117,11 +145,58 @@ impl Engine<'_> {
         let params = application.operation.spec.params.iter().zip(&application.arg_spans);
         for (arg, (param, span)) in application.args.iter().zip(params) {
             let value = arg.as_ref().map(|code| match (code.known(), param.kind) {
+                (_, ParamKind::OnEdges) => Ok(numbers(Vec::new())),
                 (Some(value), _) => Ok(value.clone()),
                 (None, ParamKind::Varying(_)) => self.varied(code, param.name, *span, turn, current, fields),
                 (None, _) => self.frame(turn, current).with(|n, a| evaluate::evaluate(code, n, a)),
             });
             values.push(value.transpose().map_err(|f| self.failed(f, turn))?);
+        }
+        Ok(())
+    }
+
+    /// The depth of each section of a perimeter, evaluated with its own `split.index`.
+    fn depths(
+        &mut self,
+        application: &Application,
+        depths: &[(Code, Span)],
+        cuts: &[Cut],
+        values: &Values,
+        turn: &Turn,
+        current: &mut Current,
+    ) -> Result<Vec<f64>, Stop> {
+        let most = self.options.limits.children;
+        let sections = application.sections(&mut values.clone(), &current.shape, cuts, most);
+        let sections = sections.map_err(|p| self.problem(application, p, turn))?;
+        let mut section = (*current.shape).clone();
+        let mut frame = self.frame(turn, current);
+        let mut depth = |(index, entry): (usize, &u16)| {
+            section.ordinals.split = (index as u32, sections.len() as u32);
+            let Some((code, span)) = depths.get(usize::from(*entry)) else { return Ok(0.0) };
+            frame.on(&section, |n, a| evaluate::number(code, n, a, *span))
+        };
+        let found = sections.iter().enumerate().map(&mut depth).collect::<Result<Vec<f64>, Failure>>();
+        found.map_err(|f| self.failed(f, turn))
+    }
+
+    /// The arguments that are asked on every component, as arrays.
+    fn on_edges(
+        &mut self,
+        application: &Application,
+        turn: &Turn,
+        current: &mut Current,
+        components: &[Component],
+        values: &mut Values,
+    ) -> Result<(), Stop> {
+        let params = application.operation.spec.params.iter().enumerate();
+        for (index, _) in params.filter(|(_, param)| param.kind == ParamKind::OnEdges) {
+            let Some(code) = &application.args[index] else { continue };
+            let span = application.arg_spans[index];
+            let mut frame = self.frame(turn, current);
+            let edges = components.iter().filter(|component| !component.is_rest());
+            let asked = edges.map(|edge| frame.on(&edge.shape, |n, a| evaluate::number(code, n, a, span)));
+            let found = asked.collect::<Result<Vec<f64>, Failure>>();
+            values[index] = Some(numbers(found.map_err(|f| self.failed(f, turn))?));
         }
         Ok(())
     }
@@ -158,15 +233,19 @@ impl Engine<'_> {
             let message = format!("the lot has more shapes than the limit `shapes` of {}", self.options.limits.shapes);
             return Err(Stop::Lot(Box::new(self.diagnostic("limit", application.span, message, turn.node))));
         }
+        let total = parts.len();
         for (index, part) in parts.into_iter().enumerate() {
-            let mut shape = Box::new(part.shape);
+            let mut shape = part.shape;
             shape.seed = seed.child(index as u64);
             let Some(body) = application.bodies.get(part.entry as usize) else { continue };
             let current = Current::new(shape, self.branch(branch));
+            let mark = self.mark();
+            self.took(application, part.entry, index, total, turn);
             match self.body(body, turn, current) {
                 Err(Stop::Branch(diagnostic)) => self.outcome.diagnostics.push(*diagnostic),
                 other => other?,
             }
+            self.release(mark);
         }
         Ok(())
     }
@@ -177,6 +256,7 @@ impl Engine<'_> {
             Effect::Report(key, value) => self.outcome.reports.push((key, value)),
             Effect::Print(value) => {
                 let symbol = self.outcome.nodes[turn.node.0 as usize].symbol;
+                self.tell(symbol);
                 self.outcome.prints.push(Print { symbol, value });
             }
             Effect::Label(label) if self.program.looks_around => {
@@ -201,11 +281,17 @@ impl Engine<'_> {
         if self.program.looks_around && is_plant(&shape) && is_upright(&shape) {
             self.stand(&shape);
         }
-        if self.program.asks_for_solids && shape.is_closed() {
+        if self.program.asks_for_solids && self.stays(&shape) && shape.is_closed() {
             self.intra.add(Occluder { label: None, layer: None, node: Some(branch), footprint: shape.footprint() });
         }
+        self.built();
         self.outcome.leaves.push(LeafOf { node, shape });
     }
+}
+
+/// Numbers as a value.
+fn numbers(numbers: Vec<f64>) -> Value {
+    Value::Array(Arc::new(Array::row(Cells::Numbers(numbers))))
 }
 
 /// Whether its y points up: what is set on walls takes no place on the plan.

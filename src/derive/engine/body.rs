@@ -20,29 +20,40 @@ impl Engine<'_> {
                 Ok(())
             }
             Body::Case(arms, otherwise, span) => {
-                for (test, body) in arms {
+                for (number, (test, body)) in arms.iter().enumerate() {
                     if self
                         .frame(turn, current)
                         .with(|n, a| evaluate::truth(test, n, a, *span))
                         .map_err(|f| self.failed(f, turn))?
                     {
+                        self.chose(&arms[..number], Some((test, body)), *span, turn, current);
                         return self.steps(body, turn, current);
                     }
                 }
+                self.chose(arms, None, *span, turn, current);
                 self.steps(otherwise, turn, current)
             }
             Body::Chance(arms, otherwise, span) => {
-                let mut left = current.random.uniform(0.0, 100.0);
+                let drawn = current.random().uniform(0.0, 100.0);
+                let mut left = drawn;
                 for (percent, body) in arms {
+                    let before = left;
                     left -= self
                         .frame(turn, current)
                         .with(|n, a| evaluate::number(percent, n, a, *span))
                         .map_err(|f| self.failed(f, turn))?;
                     if left < 0.0 {
+                        self.drew(drawn, (drawn - before, drawn - left), 100.0, body.span().unwrap_or(*span));
                         return self.steps(body, turn, current);
                     }
                 }
+                self.drew(drawn, (drawn - left, 100.0), 100.0, otherwise.span().unwrap_or(*span));
                 self.steps(otherwise, turn, current)
+            }
+            Body::With(locals, body) => {
+                let args = self.frame(turn, current).with(|n, a| evaluate::extended(locals, n, a));
+                let args = args.map_err(|f| self.failed(f, turn))?;
+                self.steps(body, &Turn { args, ..*turn }, current)
             }
             Body::Alternatives(alternatives) => match self.alternative(alternatives, turn, current)? {
                 Some(body) => self.steps(body, turn, current),
@@ -58,7 +69,7 @@ impl Engine<'_> {
         turn: &Turn,
         current: &mut Current,
     ) -> Result<Option<&'p Body>, Stop> {
-        let mut open: SmallVec<[(&Body, Option<f64>); 4]> = SmallVec::new();
+        let mut open: SmallVec<[(&Alternative, Option<f64>); 4]> = SmallVec::new();
         for alternative in alternatives {
             let span = alternative.span;
             let mut frame = self.frame(turn, current);
@@ -69,18 +80,25 @@ impl Engine<'_> {
                     .probability
                     .as_ref()
                     .map(|p| self.frame(turn, current).with(|n, a| evaluate::number(p, n, a, span)));
-                open.push((&alternative.body, weight.transpose().map_err(|f| self.failed(f, turn))?));
+                open.push((alternative, weight.transpose().map_err(|f| self.failed(f, turn))?));
             }
         }
         if open.iter().all(|(_, weight)| weight.is_none()) {
-            return Ok(open.first().map(|(body, _)| *body));
+            let first = open.first().map(|(alternative, _)| *alternative);
+            self.followed(alternatives, first, turn, current);
+            return Ok(first.map(|alternative| &alternative.body));
         }
         // What has no probability of its own shares what the others leave of 1.
         let given: f64 = open.iter().filter_map(|(_, weight)| *weight).sum();
         let silent = open.iter().filter(|(_, weight)| weight.is_none()).count().max(1) as f64;
         let rest = (1.0 - given).max(0.0) / silent;
         let weights: SmallVec<[f64; 4]> = open.iter().map(|(_, weight)| weight.unwrap_or(rest)).collect();
-        Ok(current.random.choose(&weights).map(|index| open[index].0))
+        let before = self.recorder.is_some().then(|| current.random().clone());
+        let Some(index) = current.random().choose(&weights) else { return Ok(None) };
+        let chosen = open[index].0;
+        self.followed(alternatives, Some(chosen), turn, current);
+        self.weighed(before, &weights, index, chosen.span);
+        Ok(Some(&chosen.body))
     }
 
     fn step(&mut self, step: &Step, turn: &Turn, current: &mut Current) -> Result<(), Stop> {
@@ -101,10 +119,12 @@ impl Engine<'_> {
         current.count += 1;
         let before = std::mem::discriminant(&shape.geometry);
         let mut inner = Current::new(shape, self.branch(current.branch));
+        let mark = self.mark();
         match self.steps(body, turn, &mut inner) {
             Err(Stop::Branch(diagnostic)) => {
                 self.outcome.diagnostics.push(*diagnostic);
                 current.used = true;
+                self.release(mark);
                 return Ok(());
             }
             other => other?,
@@ -117,6 +137,7 @@ impl Engine<'_> {
             None if built => self.leaf(turn.node, inner.branch, inner.shape),
             None => {}
         }
+        self.release(mark);
         Ok(())
     }
 
@@ -136,7 +157,9 @@ impl Engine<'_> {
             args.push(value.map_err(|f| self.failed(f, turn))?);
         }
         let seed = current.shape.seed.child(current.count);
-        current.heir = Some(Heir { symbol: successor.symbol, rule: successor.rule, args: args.into(), seed });
+        let attributes = successor.fresh.as_ref().map(|fresh| self.fresh(fresh, seed, turn, current)).transpose()?;
+        let (symbol, rule, args) = (successor.symbol, successor.rule, args.into());
+        current.heir = Some(Heir { symbol, rule, args, attributes, seed });
         current.count += 1;
         current.used = true;
         Ok(())
@@ -150,8 +173,12 @@ impl Engine<'_> {
     }
 
     pub(super) fn succeed(&mut self, heir: Heir, mut shape: Box<Shape>, branch: NodeId, turn: &Turn) {
-        let Heir { symbol, rule, args, seed } = heir;
+        let Heir { symbol, rule, args, attributes, seed } = heir;
         shape.seed = seed;
+        if let Some(attributes) = attributes {
+            shape.attributes = attributes;
+        }
+        self.queued(turn.node);
         self.queue.push(Task { shape, parent: turn.node, branch, symbol, rule, args, depth: turn.depth + 1 });
     }
 }

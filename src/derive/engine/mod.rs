@@ -6,21 +6,28 @@
 
 mod apply;
 mod body;
+mod fresh;
+mod inside;
+mod record;
 mod report;
 
 use crate::check::{Body, Program};
 use crate::derive::beginning::Beginning;
+use crate::derive::engine::record::Recorder;
 use crate::derive::evaluate::{self, Names};
 use crate::derive::frame::Frame;
 use crate::derive::{Options, Progress, Run};
 use crate::diag::{Diagnostic, Span};
+use crate::files::Files;
 use crate::functions::Initial;
 use crate::geometry::Area;
+use crate::layout::Georeference;
 use crate::placement::Standing;
 use crate::raster::Rasters;
 use crate::seed::{Random, Seed};
 use crate::shape::{Node, NodeId, Occluders, Outcome, Scope, Shape};
 use crate::value::Value;
+use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::Instant;
@@ -33,17 +40,21 @@ type Args = Box<[Value]>;
 
 /// Derives the region number `index` by a rule, with the values that it has from its context.
 pub(super) fn lot(run: &Run, index: usize, rule: u32, context: &[(usize, Value)]) -> Outcome {
-    let Run { program, options, rasters, names, progress, .. } = *run;
+    let Run { program, layout, options, rasters, files, names, progress, .. } = *run;
     let lot = Beginning::of(run, index, rule, program.looks_around);
-    let (attributes, failures) = lot.attributes(run, context);
+    let told = RefCell::default();
+    let (attributes, failures) = lot.attributes(run, context, &told);
     let symbol = program.rules[rule as usize].symbol;
     let shape = Box::new(Shape { attributes, ..lot.shape });
     let mut engine = Engine {
         program,
         options,
         rasters,
+        files,
+        georeference: &layout.georeference,
         names,
         progress,
+        told,
         initial: lot.initial,
         intra: lot.intra,
         inter: lot.inter,
@@ -55,7 +66,9 @@ pub(super) fn lot(run: &Run, index: usize, rule: u32, context: &[(usize, Value)]
         outcome: Outcome::default(),
         queue: Vec::new(),
         branches: vec![NodeId(0)],
+        inside: 0,
         begun: Instant::now(),
+        recorder: run.records.then(Box::default),
     };
     for failure in failures {
         let diagnostic = Diagnostic::error("value", failure.span, failure.message);
@@ -64,6 +77,7 @@ pub(super) fn lot(run: &Run, index: usize, rule: u32, context: &[(usize, Value)]
     let (args, rule) = (Args::default(), Some(rule));
     engine.queue.push(Task { shape, parent: NodeId(0), branch: NodeId(0), symbol, rule, args, depth: 0 });
     engine.run();
+    engine.outcome.record = engine.recorder.map(|recorder| Box::new(recorder.record));
     engine.outcome
 }
 
@@ -92,8 +106,12 @@ struct Engine<'a> {
     program: &'a Program,
     options: &'a Options<'a>,
     rasters: &'a Rasters<'a>,
+    files: &'a Files<'a>,
+    georeference: &'a Georeference,
     names: Option<&'a BTreeSet<Arc<str>>>,
     progress: &'a Progress,
+    /// What `print` was given within expressions and is not among the outcome's prints yet.
+    told: RefCell<Vec<Value>>,
     initial: Initial,
     intra: Occluders,
     inter: Occluders,
@@ -111,7 +129,11 @@ struct Engine<'a> {
     /// For occlusion a tree finer than that of the nodes, as each branch's parent: every piece of a block and every
     /// bracket is a branch of its own, so that siblings within a rule see each other.
     branches: Vec<NodeId>,
+    /// How many operands are being derived inside each other.
+    inside: usize,
     begun: Instant,
+    /// The way to every shape, where it is asked for.
+    recorder: Option<Box<Recorder>>,
 }
 
 /// A rule at work on a node.
@@ -124,7 +146,8 @@ struct Turn {
 /// The current shape and what became of it so far.
 struct Current {
     shape: Box<Shape>,
-    random: Random,
+    /// Its own numbers, from the first draw on.
+    random: Option<Random>,
     /// The seed that they are drawn from.
     drawn: Seed,
     /// Its branch.
@@ -146,41 +169,51 @@ struct Heir {
     symbol: u32,
     rule: Option<u32>,
     args: Args,
+    /// Those of a dynamic import.
+    attributes: Option<Arc<[Value]>>,
     seed: Seed,
 }
 
 impl Current {
     fn new(shape: Box<Shape>, branch: NodeId) -> Current {
-        let (random, drawn) = (shape.seed.draw("rand"), shape.seed);
-        Current { branch, around: shape.scope, shape, random, drawn, count: 0, used: false, deleted: false, heir: None }
+        let (around, drawn) = (shape.scope, shape.seed);
+        Current { branch, around, shape, random: None, drawn, count: 0, used: false, deleted: false, heir: None }
+    }
+
+    /// Its own numbers: most shapes never draw one.
+    fn random(&mut self) -> &mut Random {
+        self.random.get_or_insert_with(|| self.drawn.draw("rand"))
     }
 
     /// After an operation: a new seed begins its numbers anew.
     fn changed(&mut self) {
         if self.shape.seed != self.drawn {
-            (self.random, self.drawn) = (self.shape.seed.draw("rand"), self.shape.seed);
+            (self.random, self.drawn) = (None, self.shape.seed);
         }
     }
 }
 
 impl Engine<'_> {
     fn run(&mut self) {
+        if let Err(Stop::Branch(diagnostic) | Stop::Lot(diagnostic)) = self.work() {
+            self.outcome.diagnostics.push(*diagnostic);
+        }
+        let found = std::mem::take(&mut self.outcome.diagnostics);
+        self.outcome.diagnostics = report::gathered(found);
+    }
+
+    /// Derives what waits, until nothing does.
+    fn work(&mut self) -> Result<(), Stop> {
         while let Some(task) = self.queue.pop() {
-            if let Err(stop) = self.within_limits(&task).and_then(|()| self.task(task)) {
-                match stop {
-                    Stop::Branch(diagnostic) => self.outcome.diagnostics.push(*diagnostic),
-                    Stop::Lot(diagnostic) => {
-                        self.outcome.diagnostics.push(*diagnostic);
-                        break;
-                    }
-                }
+            match self.within_limits(&task).and_then(|()| self.task(task)) {
+                Err(Stop::Branch(diagnostic)) => self.outcome.diagnostics.push(*diagnostic),
+                done => done?,
             }
             if self.progress.stopped() {
                 break;
             }
         }
-        let found = std::mem::take(&mut self.outcome.diagnostics);
-        self.outcome.diagnostics = report::gathered(found);
+        Ok(())
     }
 
     fn within_limits(&self, task: &Task) -> Result<(), Stop> {
@@ -204,6 +237,7 @@ impl Engine<'_> {
         let node = NodeId(self.outcome.nodes.len() as u32);
         let parent = if node.0 == 0 { node } else { task.parent };
         self.outcome.nodes.push(Node { parent, symbol: task.symbol, rule: task.rule });
+        self.arrived(&task);
         let branch = self.branch(task.branch);
         let Some(rule) = task.rule else {
             self.leaf(node, branch, task.shape);
@@ -212,8 +246,10 @@ impl Engine<'_> {
         let turn = Turn { node, args: task.args, depth: task.depth };
         let (program, waiting) = (self.program, self.queue.len());
         let done = self.body(&program.rules[rule as usize].body, &turn, Current::new(task.shape, branch));
+        self.tell(task.symbol);
         if done.is_err() {
             self.queue.truncate(waiting);
+            self.dropped(node);
         }
         // The first successor is the next to be derived.
         self.queue[waiting..].reverse();
@@ -240,12 +276,17 @@ impl Engine<'_> {
                 room: evaluate::HIGHEST,
             },
             shape: &current.shape,
-            random: &mut current.random,
+            random: current.random.get_or_insert_with(|| current.drawn.draw("rand")),
             intra: &self.intra,
             inter: &self.inter,
             initial: &self.initial,
             catalogue: self.options.catalogue,
             rasters: self.rasters,
+            files: self.files,
+            georeference: self.georeference,
+            nodes: &self.outcome.nodes,
+            node: turn.node,
+            told: &self.told,
             branches: &self.branches,
             branch: current.branch,
             at: None,

@@ -5,7 +5,7 @@ use crate::derive::engine::{Engine, Stop, Turn};
 use crate::derive::evaluate::Failure;
 use crate::diag::{self, Diagnostic, Severity, Span};
 use crate::ops::{Problem, Remark};
-use crate::shape::{Node, NodeId};
+use crate::shape::{Node, NodeId, Print};
 
 impl Engine<'_> {
     pub(super) fn failed(&self, failure: Failure, turn: &Turn) -> Stop {
@@ -23,6 +23,11 @@ impl Engine<'_> {
         let span = problem.parameter.and_then(|name| application.argument_span(name)).unwrap_or(application.span);
         let diagnostic = self.diagnostic("geometry", span, problem.message, turn.node);
         Stop::Branch(Box::new(Diagnostic { hints: problem.hints, ..diagnostic }))
+    }
+
+    /// Brings what expressions printed among the prints of a rule, in their order.
+    pub(super) fn tell(&mut self, symbol: u32) {
+        self.outcome.prints.extend(self.told.get_mut().drain(..).map(|value| Print { symbol, value }));
     }
 
     /// An error with the lot and the rules on the way down.

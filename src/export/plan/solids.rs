@@ -10,7 +10,7 @@ use crate::export::plan::path::{Path, direction};
 use crate::export::plan::sheet::Sheet;
 use crate::export::plan::symbol::LEE;
 use crate::export::plan::texture::{self, Ground};
-use crate::geometry::{Area, Mesh, Polygon, setback};
+use crate::geometry::{Area, Face, Mesh, Polygon, setback};
 use crate::scene::{Material, Solid};
 use crate::text::number;
 use glam::{DVec2, DVec3};
@@ -21,6 +21,10 @@ const SUN: f64 = 0.34;
 const LONGEST: f64 = 9.0;
 /// Roofs below this many mm² on paper are not modelled.
 const LEAST_ROOF: f64 = 9.0;
+/// Faces whose slope (sine of the angle) is less have no tiles.
+const LEVEL: f64 = 0.05;
+/// Solids with more faces than this are round or modelled, and show their texture.
+const MOST_FACETS: usize = 64;
 
 /// All solids of a scene.
 pub fn layer(solids: &[Solid], sheet: &Sheet) -> Layer {
@@ -63,7 +67,8 @@ fn draw(solid: &Solid, sheet: &Sheet) -> Option<Item> {
 pub fn body(ground: &Ground, material: &Material, mesh: Option<&Mesh>, sheet: &Sheet) -> Vec<Item> {
     let mut items = vec![Shape::filled(Path::area(ground.area), ground.fill).into()];
     match mesh {
-        Some(mesh) if has_roof(material) => items.extend(faces(mesh, ground.line, sheet)),
+        Some(mesh) if has_roof(material) => items.extend(faces(mesh, ground.line, true, sheet)),
+        Some(mesh) if is_faceted(mesh) => items.extend(faces(mesh, ground.line, false, sheet)),
         None if has_roof(material) => items.extend(roofs(ground)),
         _ => items.extend(texture::draw(material.texture, ground)),
     }
@@ -76,6 +81,12 @@ fn has_roof(material: &Material) -> bool {
     ["roof", "building"].iter().any(|word| material.name.contains(word))
 }
 
+/// Whether its form is told by a few slopes: spires and pyramids, not balls and models.
+fn is_faceted(mesh: &Mesh) -> bool {
+    let slopes = |face: Face| (0.05..0.99).contains(&face.normal().y);
+    mesh.face_count() <= MOST_FACETS && mesh.faces().any(slopes)
+}
+
 /// Thin lines towards the light, heavy ones away from it.
 fn edges(area: &Area, ink: Ink) -> Vec<Item> {
     let mut heavy = Path::default();
@@ -86,26 +97,41 @@ fn edges(area: &Area, ink: Ink) -> Vec<Item> {
     vec![Shape::drawn(Path::area(area), ink, 0.12).into(), Shape::drawn(heavy, ink, 0.24).into()]
 }
 
-/// The upward faces of a modelled roof, lowest first.
-fn faces(mesh: &Mesh, line: Ink, sheet: &Sheet) -> Vec<Item> {
+/// The upward faces of a modelled solid, lowest first, each as bright as it faces the light; ridges and hips are where
+/// they meet. Roofs have tiles.
+fn faces(mesh: &Mesh, line: Ink, tiled: bool, sheet: &Sheet) -> Vec<Item> {
     let on_paper = |p: DVec3| sheet.frame.point(DVec2::new(p.x, -p.z));
-    let mut upward: Vec<(f64, Item)> = Vec::new();
+    let mut upward: Vec<(f64, Vec<Item>)> = Vec::new();
     for face in mesh.faces() {
         let normal = face.area_vector().normalize_or_zero();
         if normal.y < 0.05 {
             continue;
         }
+        let rings: Vec<Vec<DVec2>> = face.rings().map(|ring| face.positions(ring).map(on_paper).collect()).collect();
         let mut path = Path::default();
-        for ring in face.rings() {
-            path.add_line(&face.positions(ring).map(on_paper).collect::<Vec<_>>(), true);
+        rings.iter().for_each(|ring| path.add_line(ring, true));
+        let slope = (on_paper(DVec3::new(normal.x, 0.0, normal.z)) - on_paper(DVec3::ZERO)).normalize_or_zero();
+        let steep = libm::hypot(normal.x, normal.z);
+        let mut items = vec![Shape::filled(path.clone(), shade(slope * steep * 1.3)).into()];
+        if tiled && steep > LEVEL {
+            items.push(Shape::drawn(tiles(&rings, slope).coarse(), line.faded(0.35), 0.06).into());
         }
-        let slope = on_paper(DVec3::new(normal.x, 0.0, normal.z)) - on_paper(DVec3::ZERO);
-        let ink = shade(slope.normalize_or_zero() * libm::hypot(normal.x, normal.z) * 1.3);
+        items.push(Shape::drawn(path, line.faded(0.8), 0.12).into());
         let top = face.positions(face.outline()).map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
-        upward.push((top, Shape::filled(path, ink).outlined(line.faded(0.6), 0.08).into()));
+        upward.push((top, items));
     }
     upward.sort_by(|a, b| a.0.total_cmp(&b.0));
-    upward.into_iter().map(|(_, item)| item).collect()
+    upward.into_iter().flat_map(|(_, items)| items).collect()
+}
+
+/// Courses of tiles as lines down the slope.
+fn tiles(rings: &[Vec<DVec2>], slope: DVec2) -> Path {
+    let mut tiles = Path::default();
+    let area: Area = rings.first().and_then(|outline| Polygon::new(outline, &rings[1..])).into_iter().collect();
+    for line in field::hatched(&area, slope, 0.55, 0.0) {
+        tiles.add_line(&line, false);
+    }
+    tiles
 }
 
 /// A mansard: slopes along every edge, each as bright as it faces the light, and a flat top.

@@ -3,10 +3,12 @@
 //! Frame: right-handed, metres. Faces are planar and run counter-clockwise seen from outside; holes run the other way
 //! round. A closed mesh shares the vertices of neighbouring faces.
 
+mod connected;
 mod edges;
 mod section;
 mod solid;
 mod surface;
+mod tidy;
 
 pub use edges::Edge;
 

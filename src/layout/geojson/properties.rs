@@ -2,7 +2,7 @@
 
 use crate::layout::Kind;
 use crate::layout::geojson::document::word;
-use crate::value::Value;
+use crate::value::{Array, Cells, Value};
 use serde_json::{Map, Value as Json};
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
@@ -28,7 +28,7 @@ pub struct Properties {
     pub width: f64,
     /// From `elevation`, metres.
     pub elevation: Option<f64>,
-    /// All by name, except nothing (`null`), lists and objects.
+    /// All by name, except nothing (`null`), objects and lists of several types.
     pub attributes: BTreeMap<Arc<str>, Value>,
     /// Names of the lists and objects that were skipped.
     pub nested: Vec<Arc<str>>,
@@ -93,13 +93,41 @@ impl Properties {
                 Json::Bool(truth) => Value::Bool(*truth),
                 Json::Number(number) => Value::Float(number.as_f64().unwrap_or_default()),
                 Json::String(text) => Value::Text(words.get(text)),
-                Json::Array(_) | Json::Object(_) => {
-                    self.nested.push(words.get(name));
-                    continue;
-                }
+                Json::Array(_) | Json::Object(_) => match array(json, words) {
+                    Some(array) => Value::Array(Arc::new(array)),
+                    None => {
+                        self.nested.push(words.get(name));
+                        continue;
+                    }
+                },
             };
             self.attributes.insert(words.get(name), value);
         }
+    }
+}
+
+/// A list of numbers, truth values or texts, or of such lists of the same length: rows and columns.
+fn array(json: &Json, words: &mut Words) -> Option<Array> {
+    let list = json.as_array()?;
+    let columns = match list.first() {
+        Some(Json::Array(row)) => row.len(),
+        _ => return Some(Array::row(cells(list.iter().collect(), words)?)),
+    };
+    let rows: Vec<&Vec<Json>> = list.iter().map(Json::as_array).collect::<Option<_>>()?;
+    let is_even = rows.iter().all(|row| row.len() == columns);
+    is_even.then(|| Array::new(columns, cells(rows.into_iter().flatten().collect(), words)?)).flatten()
+}
+
+fn cells(list: Vec<&Json>, words: &mut Words) -> Option<Cells> {
+    match list.first() {
+        None | Some(Json::Number(_)) => {
+            list.iter().map(|json| json.as_f64()).collect::<Option<_>>().map(Cells::Numbers)
+        }
+        Some(Json::Bool(_)) => list.iter().map(|json| json.as_bool()).collect::<Option<_>>().map(Cells::Truths),
+        Some(Json::String(_)) => {
+            list.iter().map(|json| json.as_str().map(|text| words.get(text))).collect::<Option<_>>().map(Cells::Texts)
+        }
+        Some(_) => None,
     }
 }
 

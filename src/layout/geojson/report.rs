@@ -144,7 +144,7 @@ impl Report {
                 "features whose kind wants an area have none: no rule can start on them",
             ),
             (&self.far, "layout-far", "features lie more than 90 km from the others: lengths are not true there"),
-            (&self.nested, "layout-property", "properties that are lists or objects are skipped"),
+            (&self.nested, "layout-property", "properties that are objects or lists of several types are skipped"),
             (
                 &self.misused,
                 "layout-property",

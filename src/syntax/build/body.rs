@@ -2,7 +2,7 @@
 
 use super::{Builder, next_if};
 use crate::diag::{Diagnostic, Span};
-use crate::syntax::ast::{Arg, Body, Call, Expr, ExprKind, Op, Override, Spelling};
+use crate::syntax::ast::{Arg, Body, Call, Expr, ExprKind, Name, Op, Override, Spelling};
 use crate::syntax::grammar::{Pair, Rule};
 use crate::syntax::paper;
 use pest::iterators::Pairs;
@@ -55,6 +55,7 @@ impl<'t> Builder<'t> {
                 Rule::percentage => share = Some(self.percentage(next)?),
                 _ if inner.peek().is_none() => {
                     let otherwise = Box::new(self.body(next)?);
+                    self.check_sum(arms.iter().map(|(chance, _)| chance));
                     return Some(Body::Chance { arms, otherwise });
                 }
                 _ => {
@@ -149,12 +150,15 @@ impl<'t> Builder<'t> {
         }
     }
 
-    /// `imp(h = 3).Rule(2)`
+    /// `imp(h = 3).Rule(2)`; a bare name protects, as in the parentheses of an import.
     fn dynamic(&self, import: Call, call: Call) -> Op {
         let mut overrides = Vec::with_capacity(import.args.len());
         for arg in import.args {
             match (arg.name, arg.value.kind) {
                 (Some(name), kind) => overrides.push(Override::Attribute(name, Expr { kind, span: arg.value.span })),
+                (None, ExprKind::Call(text, None)) => {
+                    overrides.push(Override::Protect(Name { text, span: arg.value.span }));
+                }
                 (None, _) => {
                     let message = format!("an attribute given to the import `{}` needs its name", import.name.text);
                     let hint = format!("write `{}(name = value).{}`", import.name.text, call.name.text);

@@ -79,7 +79,13 @@ impl<'t> Builder<'t> {
     fn absent_value(&self, kind: FunctionKind, name: &Name, with_params: bool) -> Expr {
         if kind != FunctionKind::Attr || !with_params {
             let message = format!("`{}` has no value", name.text);
-            self.report(Diagnostic::error("syntax", name.span, message).hint(format!("write `{} = …`", name.text)));
+            let hint = match &*name.text {
+                "float" | "int" | "number" | "bool" | "boolean" | "string" | "str" => {
+                    "kinds are not written, they follow from the value: `attr a = 3`".to_owned()
+                }
+                name => format!("write `{name} = …`"),
+            };
+            self.report(Diagnostic::error("syntax", name.span, message).hint(hint));
         }
         Expr { kind: ExprKind::Number(0.0), span: Span { start: name.span.end, ..name.span } }
     }

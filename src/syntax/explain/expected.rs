@@ -17,6 +17,7 @@ impl Broken<'_> {
             phrases.retain(|phrase| !matches!(*phrase, "a name" | "a text in double quotes"));
         }
         let found = self.found(place);
+        phrases.retain(|phrase| *phrase != found);
         let message = match phrases.split_last() {
             None => format!("{found} cannot stand here"),
             Some((last, [])) => format!("expected {last}, found {found}"),

@@ -8,14 +8,19 @@ use crate::syntax::token::{Kind, NONE, Token};
 impl Broken<'_> {
     /// Habits that are told by their signs wherever they stand in the piece.
     pub(super) fn habit(&self, place: Option<usize>) -> Option<Diagnostic> {
-        self.bent_arrow().or_else(|| self.quotes()).or_else(|| self.ternary()).or_else(|| self.if_(place))
+        self.bent_arrow()
+            .or_else(|| self.quotes())
+            .or_else(|| self.ternary())
+            .or_else(|| self.else_if())
+            .or_else(|| self.if_(place))
     }
 
     /// Mistakes told by what stands where parsing stopped.
     pub(super) fn slip(&self, place: Option<usize>) -> Option<Diagnostic> {
-        self.import().or_else(|| self.no_arrow()).or_else(|| {
+        self.import().or_else(|| self.no_arrow()).or_else(|| self.percent_of_nothing()).or_else(|| {
             let at = place?;
-            self.sign(at)
+            self.foreign(at)
+                .or_else(|| self.sign(at))
                 .or_else(|| self.unit(at))
                 .or_else(|| self.no_bar(at))
                 .or_else(|| self.no_colon(at))
@@ -37,6 +42,10 @@ impl Broken<'_> {
             return Some(self.error("syntax", self.span(at), message).hint("at least is written `>=`"));
         }
         let message = format!("`{written}` is no arrow");
+        if self.opener(at).is_some_and(|opener| self.word(opener) == "{") {
+            let hint = "in a block a `:` stands before a successor: `{ 1 : A | 2 : B }`";
+            return Some(self.error("syntax-arrow", self.span(at), message).hint(hint));
+        }
         let hint = match written.starts_with(['~', '↝', '⇝']) {
             true => "the papers' arrow is `~>`, without a blank",
             false => "a rule is written `Lot --> …`, the arrow without a blank",
@@ -114,6 +123,9 @@ impl Broken<'_> {
         if self.piece.kind != PieceKind::Stray {
             return None;
         }
+        if let Some(known) = self.bare_note().or_else(|| self.needless_word()) {
+            return Some(known);
+        }
         let word = self.found(Some(start));
         if self.kind(start) != Some(Kind::Name) {
             let message = format!("expected a definition, found {word}");
@@ -135,6 +147,10 @@ impl Broken<'_> {
         let around = self.opener(at).map_or("", |opener| self.word(opener));
         let (message, hint) = match (self.tokens[at].kind, self.word(at), around) {
             (Kind::Semicolon, _, "(") => ("`;` cannot stand here", "arguments are separated by commas"),
+            (Kind::Semicolon | Kind::Comma, _, "{") if self.ends_part(at) => {
+                ("only `|` stands between the parts of a block", "write `{ 1 : A | 2 : B }`")
+            }
+            (Kind::Comma, _, "") if self.is_decimal(at) => ("`,` makes no number", "decimals have a point: `3.5`"),
             (Kind::Semicolon, ..) => ("`;` ends nothing here", "definitions and operations need no sign at their end"),
             (Kind::Equal, ..) if self.in_condition(at) => ("`=` compares nothing", "equal is written `==`"),
             (Kind::Comma, _, "" | "[" | "{") if self.piece.kind == PieceKind::Rule => {
@@ -152,6 +168,17 @@ impl Broken<'_> {
             _ => return None,
         };
         Some(self.error("syntax", self.span(at), message).hint(hint))
+    }
+
+    /// Whether another part with a head follows the sign in its block.
+    fn ends_part(&self, at: usize) -> bool {
+        let separates = |index: usize| matches!(self.kind(index), Some(Kind::Colon | Kind::Equal | Kind::Joined));
+        self.level(at + 1..self.piece.tokens.end).take_while(|i| self.kind(*i) != Some(Kind::Bar)).any(separates)
+    }
+
+    /// `3,5`
+    fn is_decimal(&self, at: usize) -> bool {
+        self.kind_before(at) == Some(Kind::Number) && self.kind(at + 1) == Some(Kind::Number)
     }
 
     /// Whether the token stands between `case` and its colon.
@@ -222,7 +249,10 @@ impl Broken<'_> {
             return None;
         }
         let message = format!("a `,` is missing before {}", self.found(Some(at)));
-        let hint = "arguments are separated by commas: `t(0, 1, 0)`";
+        let hint = match self.opener(at).is_some_and(|opener| self.holds_parameters(opener)) {
+            true => "parameters are separated by commas: `Lot(width, depth)`",
+            false => "arguments are separated by commas: `t(0, 1, 0)`",
+        };
         Some(self.error("syntax-arguments", self.span(at), message).hint(hint))
     }
 

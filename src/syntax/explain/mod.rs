@@ -7,6 +7,7 @@
 mod choices;
 mod expected;
 mod habits;
+mod words;
 
 use super::ast::Name;
 use super::depth;
