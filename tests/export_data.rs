@@ -37,12 +37,12 @@ fn origin(id: &str) -> Origin {
 
 fn cover(id: &str, word: &str, area: Area) -> Cover {
     let material = Catalogue::built_in().cover(word).expect(word).material.clone();
-    Cover { origin: origin(id), material, area, elevation: 0.25 }
+    Cover { origin: origin(id), material, area, elevation: 0.25, surface: None }
 }
 
 fn solid(word: &str, footprint: Area, height: f64) -> Solid {
     let material = Catalogue::built_in().cover(word).expect(word).material.clone();
-    Solid { origin: origin(word), material, footprint, base: 0.0, height, mesh: None }
+    Solid { origin: origin(word), material, footprint, base: 0.0, height, mesh: None, surface: None }
 }
 
 /// A plant of the catalogue at a place.

@@ -192,6 +192,7 @@ impl Checker {
     fn operation(&mut self, operation: &'static Operation, call: &Call) -> Step {
         let (args, arg_spans) = self.arguments(operation.spec, &call.args, call.span);
         self.program.looks_around |= operation.looks_around;
+        self.unseen(operation, call);
         if operation.labels {
             let label = args.first().and_then(|arg| arg.as_ref()?.known()?.as_str().map(Into::into));
             self.program.labels.insert(label);
@@ -241,6 +242,15 @@ impl Checker {
         let ready = Application::ready(operation, &args);
         let (args, arg_spans, bodies) = (args.into(), arg_spans.into(), bodies.into());
         Step::Apply(Box::new(Application { operation, ready, args, arg_spans, block, bodies, span }))
+    }
+
+    /// Once for all files: what plans do not show.
+    fn unseen(&mut self, operation: &Operation, call: &Call) {
+        if operation.unseen && !self.diagnostics.iter().any(|d| d.code == "unseen") {
+            let message = format!("plans do not show what `{}` and its like do: it is kept for scenes", call.name.text);
+            let place = crate::diag::Place::Rule(call.name.span);
+            self.tell(Diagnostic::new(crate::diag::Severity::Note, "unseen", place, message));
+        }
     }
 
     fn no_repeat(&mut self, spec: &Spec, block: &ast::Block) {

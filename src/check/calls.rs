@@ -86,6 +86,7 @@ impl Checker {
     fn builtin(&mut self, function: &'static functions::Function, args: &[Arg], span: Span) -> (Code, Kind) {
         let (least, most) = function.arity;
         self.program.looks_around |= function.looks_around;
+        self.program.asks_for_tags |= function.asks_for_tags;
         self.program.asks_for_solids |= function.looks_around;
         if args.len() < least || args.len() > most {
             let message = format!("`{}` takes {}, found {}", function.name, arity(least, most), args.len());

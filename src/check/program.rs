@@ -37,6 +37,8 @@ pub struct Program {
     pub labels: BTreeSet<Option<Arc<str>>>,
     /// Some rule asks what lies around a shape, so the engine keeps features and labels.
     pub looks_around: bool,
+    /// Some rule asks for tags, so operations set theirs.
+    pub asks_for_tags: bool,
     /// Some rule asks how shapes lie to each other, so the engine keeps what it builds as well.
     pub asks_for_solids: bool,
 }

@@ -67,8 +67,18 @@ fn object(region: &Region) -> Frame {
 
 /// What rules can ask of the region.
 pub(super) fn facts(region: &Region, start: Arc<str>) -> Initial {
-    let (kind, zone) = (region.kind.word().into(), region.zone.clone());
-    Initial { name: region.name.clone(), start, kind, zone, object: object(region) }
+    let lists = region.attributes.iter().filter_map(|(name, value)| {
+        Some((name.strip_prefix("/edgeattr/").unwrap_or(name).into(), value.as_array()?.clone()))
+    });
+    Initial {
+        name: region.name.clone(),
+        start,
+        kind: region.kind.word().into(),
+        zone: region.zone.clone(),
+        object: object(region),
+        outline: Some(region.polygon.clone()),
+        edge_attributes: lists.collect(),
+    }
 }
 
 /// The features of the lot, under the word of their kind.

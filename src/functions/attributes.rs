@@ -3,6 +3,7 @@
 use crate::functions::coordinates::{angles, object};
 use crate::functions::{Function, Surroundings};
 use crate::value::Value;
+use glam::DVec3;
 
 macro_rules! attribute {
     ($name:literal, $docs:literal, $f:expr) => {
@@ -80,12 +81,6 @@ pub(super) static LIST: &[Function] = &[
     attribute!("initialShape.origin.ox", "The object's turn about x in degrees.", |a| Value::Float(object(a).1.x)),
     attribute!("initialShape.origin.oy", "The object's turn about y in degrees.", |a| Value::Float(object(a).1.y)),
     attribute!("initialShape.origin.oz", "The object's turn about z in degrees.", |a| Value::Float(object(a).1.z)),
-    attribute!("pivot.px", "Where the pivot lies in the object: nothing moves it, so 0.", |_| Value::Float(0.0)),
-    attribute!("pivot.py", "Where the pivot lies in the object: nothing moves it, so 0.", |_| Value::Float(0.0)),
-    attribute!("pivot.pz", "Where the pivot lies in the object: nothing moves it, so 0.", |_| Value::Float(0.0)),
-    attribute!("pivot.ox", "How the pivot is turned in the object: it is not, so 0.", |_| Value::Float(0.0)),
-    attribute!("pivot.oy", "How the pivot is turned in the object: it is not, so 0.", |_| Value::Float(0.0)),
-    attribute!("pivot.oz", "How the pivot is turned in the object: it is not, so 0.", |_| Value::Float(0.0)),
     attribute!("material.name", "The material: a ground cover of the catalogue, or a word of your own.", |a| {
         Value::Text(a.shape.style.material.clone().unwrap_or_default())
     })
@@ -129,12 +124,52 @@ pub(super) static LIST: &[Function] = &[
     .truth()
     .settable()
     .added(),
+    attribute!("pivot.px", "Where the pivot lies in the object (metres); 0 until `setPivot` moves it.", |a| {
+        Value::Float(pivot(a)[0].x)
+    }),
+    attribute!("pivot.py", "Where the pivot lies in the object (metres); 0 until `setPivot` moves it.", |a| {
+        Value::Float(pivot(a)[0].y)
+    }),
+    attribute!("pivot.pz", "Where the pivot lies in the object (metres); 0 until `setPivot` moves it.", |a| {
+        Value::Float(pivot(a)[0].z)
+    }),
+    attribute!("pivot.ox", "How the pivot is turned in the object (degrees); 0 until `setPivot` moves it.", |a| {
+        Value::Float(pivot(a)[1].x)
+    }),
+    attribute!("pivot.oy", "How the pivot is turned in the object (degrees); 0 until `setPivot` moves it.", |a| {
+        Value::Float(pivot(a)[1].y)
+    }),
+    attribute!("pivot.oz", "How the pivot is turned in the object (degrees); 0 until `setPivot` moves it.", |a| {
+        Value::Float(pivot(a)[1].z)
+    }),
+    attribute!("trim.horizontal", "Whether solids are trimmed along level edges; bosquet keeps it for scenes.", |a| {
+        trim(a, 0)
+    })
+    .truth()
+    .settable(),
+    attribute!("trim.vertical", "Whether solids are trimmed along upright edges; bosquet keeps it for scenes.", |a| {
+        trim(a, 1)
+    })
+    .truth()
+    .settable(),
     attribute!("label.name", "The last label, empty where there is none.", |a| {
         Value::Text(a.shape.style.label.clone().unwrap_or_default())
     })
     .text()
     .added(),
 ];
+
+/// Place and turns of the pivot in the object's coordinates.
+fn pivot(around: &Surroundings) -> [DVec3; 2] {
+    let Some(pivot) = around.shape.attached().and_then(|surface| surface.pivot) else { return [DVec3::ZERO; 2] };
+    let object = &around.initial.object;
+    [object.to_local(pivot.origin), angles(object.rotation.inverse() * pivot.rotation)]
+}
+
+/// Whether it is trimmed: yes, until it is set.
+fn trim(around: &Surroundings, which: usize) -> Value {
+    Value::Bool(around.shape.attached().and_then(|surface| surface.trim[which]).unwrap_or(true))
+}
 
 fn channel(around: &Surroundings, index: usize) -> Value {
     Value::Float(f64::from(around.shape.style.color.unwrap_or([1.0; 4])[index]))

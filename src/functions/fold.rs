@@ -21,8 +21,15 @@ pub fn folded(function: &Function, args: &[Value]) -> Option<Value> {
     }
     let (world, georeference) = (MemoryWorld::default(), Georeference::new(Crs::Local, [0.0; 2]).ok()?);
     let empty: Arc<str> = "".into();
-    let initial =
-        Initial { name: empty.clone(), start: empty.clone(), kind: empty.clone(), zone: empty, object: Frame::WORLD };
+    let initial = Initial {
+        name: empty.clone(),
+        start: empty.clone(),
+        kind: empty.clone(),
+        zone: empty,
+        object: Frame::WORLD,
+        outline: None,
+        edge_attributes: Vec::new(),
+    };
     let mut around = Surroundings {
         shape: &nothing(),
         random: &mut Seed(0).random(),

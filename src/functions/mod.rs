@@ -11,12 +11,14 @@ mod choice;
 mod colours;
 mod context;
 mod coordinates;
+mod edges;
 mod elements;
 mod files;
 mod fold;
 mod geometry;
 mod kinds;
 mod lists;
+mod material;
 mod math;
 mod occlusion;
 mod order;
@@ -24,6 +26,7 @@ mod position;
 mod ramps;
 mod random;
 mod species;
+mod surface;
 mod text;
 mod trace;
 
@@ -32,11 +35,12 @@ pub use position::At;
 
 use crate::element::Catalogue;
 use crate::files::Files;
+use crate::geometry::Polygon;
 use crate::layout::Georeference;
 use crate::raster::Rasters;
 use crate::seed::Random;
 use crate::shape::{Frame, NodeId, Occluders, Shape};
-use crate::value::Value;
+use crate::value::{Array, Value};
 use std::cell::RefCell;
 use std::sync::Arc;
 
@@ -62,6 +66,8 @@ pub struct Function {
     pub settable: bool,
     /// It asks how shapes lie to each other.
     pub looks_around: bool,
+    /// It asks for tags, so operations set theirs.
+    pub asks_for_tags: bool,
     /// CityEngine's, or ours.
     pub added: bool,
     /// Its value.
@@ -134,6 +140,10 @@ pub struct Initial {
     pub kind: Arc<str>,
     /// The region's zone.
     pub zone: Arc<str>,
+    /// The region's outline on the plan.
+    pub outline: Option<Polygon>,
+    /// The region's attributes that have a value for each edge of the outline, without `/edgeattr/` before their names.
+    pub edge_attributes: Vec<(Arc<str>, Arc<Array>)>,
     /// The object's coordinates: from the outline's first point, x along the first edge, y up.
     pub object: Frame,
 }
@@ -157,17 +167,23 @@ static FUNCTIONS: &[&[Function]] = &[
     arrays::LIST,
     elements::LIST,
     geometry::LIST,
+    surface::LIST,
     coordinates::LIST,
     occlusion::LIST,
     context::LIST,
     position::LIST,
     species::LIST,
+    edges::LIST,
     files::LIST,
     assets::LIST,
     choice::LIST,
     colours::LIST,
     trace::LIST,
     attributes::LIST,
+    material::LIST,
+    material::COLORS.as_flattened(),
+    material::PLACINGS.as_flattened(),
+    material::WHOLE,
 ];
 
 impl Function {
@@ -189,6 +205,7 @@ impl Function {
             gives: Gives::Number,
             settable: false,
             looks_around: false,
+            asks_for_tags: false,
             added: false,
             call,
         }
@@ -232,6 +249,11 @@ impl Function {
 
     const fn looking(mut self) -> Function {
         self.looks_around = true;
+        self
+    }
+
+    const fn tagging(mut self) -> Function {
+        self.asks_for_tags = true;
         self
     }
 

@@ -75,7 +75,7 @@ fn brought(rotation: DQuat, axis: DVec3, to: DVec3) -> DQuat {
 }
 
 /// Turns the scope and fits it again.
-fn turn(shape: &mut Shape, rotation: DQuat) {
+pub(super) fn turn(shape: &mut Shape, rotation: DQuat) {
     let local = rotation.inverse() * shape.scope.frame.rotation;
     let geometry = match &shape.geometry {
         Geometry::Element(_) => return,

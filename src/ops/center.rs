@@ -56,7 +56,9 @@ impl Apply for Center {
         for axis in [Axis::X, Axis::Y, Axis::Z].into_iter().filter(|axis| !self.axes.has(*axis)) {
             offset[axis.index()] = 0.0;
         }
+        let before = shape.scope.frame;
         shape.scope.frame.origin += around.frame.rotation * offset;
+        shape.followed(before);
         Ok(Pieces::Changed)
     }
 }

@@ -3,7 +3,7 @@
 use crate::geometry::Mesh;
 use crate::ops::declare::operation;
 use crate::ops::spec::choice;
-use crate::ops::{Apply, Given, Pieces, Problem, fit};
+use crate::ops::{Apply, Given, Pieces, Problem, fit, tag};
 use crate::shape::{Geometry, Plane, Shape};
 use crate::unit::Metres;
 use glam::DVec3;
@@ -12,7 +12,7 @@ use std::sync::Arc;
 operation! {
     /// Sweeps a flat shape along its normal, or straight up, into a solid; an edge becomes an upright face.
     ///
-    /// The scope grows with it. A negative height sweeps the other way; 0 leaves the shape as it is.
+    /// Its faces are tagged `extrude.top`, `extrude.bottom` and `extrude.side` where rules ask for tags. The scope grows with it. A negative height sweeps the other way; 0 leaves the shape as it is.
     /// ```cga
     /// Hedge --> extrude(1.8) Yew.
     /// ```
@@ -41,7 +41,7 @@ choice! {
 }
 
 impl Apply for Extrude {
-    fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
+    fn apply(self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
         let height = self.height.0;
         if !height.is_finite() {
             return Err(Problem::new(format!("an extrusion of {height} m cannot be done")));
@@ -64,6 +64,9 @@ impl Apply for Extrude {
             }
         };
         fit::refit(shape, geometry);
+        if given.tags {
+            tag::extruded(shape, height.signum());
+        }
         Ok(Pieces::Changed)
     }
 }

@@ -61,7 +61,7 @@ impl Apply for Insert {
 }
 
 /// The entry whose model is that file.
-fn by_model<'a>(given: &'a Given, path: &str) -> Option<Found<'a>> {
+pub(super) fn by_model<'a>(given: &'a Given, path: &str) -> Option<Found<'a>> {
     let name = path.rsplit('/').next().unwrap_or(path);
     given.catalogue.entries().find_map(|entry| {
         let variant = entry

@@ -10,6 +10,7 @@ mod spec;
 mod unbuilt;
 
 mod align_scope_to_axes;
+mod align_scope_to_geometry;
 mod along;
 mod boundary;
 mod center;
@@ -32,6 +33,7 @@ mod gather;
 mod ground;
 mod inner_rectangle;
 mod insert;
+mod insert_along_uv;
 mod instance;
 mod label;
 mod mirror;
@@ -41,12 +43,15 @@ mod plant;
 mod points;
 mod primitives;
 mod print;
+mod projection;
 mod r;
 mod rectify;
 mod regular;
 mod report;
+mod reset_geometry;
 mod rim;
 mod roofs;
+mod rotate_scope;
 mod rows;
 mod s;
 mod scatter;
@@ -60,8 +65,13 @@ mod single;
 mod split;
 mod split_and_setback_perimeter;
 mod split_area;
+mod split_uv;
 mod strategy;
 mod t;
+mod tag;
+mod texture;
+mod translate;
+mod uv;
 mod without;
 
 pub use comp::joined;
@@ -78,7 +88,7 @@ use crate::placement::{Field, Standing};
 use crate::raster::Rasters;
 use crate::seed::Seed;
 use crate::shape::{Geometry, NodeId, Shape};
-use crate::value::Value;
+use crate::value::{Array, Value};
 use crate::world::World;
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -130,6 +140,7 @@ pub static OPERATIONS: &[Operation] = &[
     roofs::Shed::OPERATION,
     roofs::Taper::OPERATION,
     insert::Insert::OPERATION,
+    insert_along_uv::InsertAlongUv::OPERATION,
     instance::Instance::OPERATION,
     plant::Plant::OPERATION,
     primitives::Quad::OPERATION,
@@ -142,12 +153,35 @@ pub static OPERATIONS: &[Operation] = &[
     s::Resize::OPERATION,
     r::Rotate::OPERATION,
     center::Center::OPERATION,
+    translate::Move::OPERATION,
+    translate::Turn::OPERATION,
     align_scope_to_axes::AlignScopeToAxes::OPERATION,
+    align_scope_to_geometry::AlignScopeToGeometry::OPERATION,
+    align_scope_to_geometry::AlignToBox::OPERATION,
+    rotate_scope::RotateScope::OPERATION,
+    rotate_scope::MirrorScope::OPERATION,
+    rotate_scope::SetPivot::OPERATION,
+    reset_geometry::ResetGeometry::OPERATION,
     normals::SetNormals::OPERATION,
     normals::SoftenNormals::OPERATION,
     normals::ReduceGeometry::OPERATION,
     set::Set::OPERATION,
     color::Color::OPERATION,
+    texture::SetTexture::OPERATION,
+    texture::SetMaterial::OPERATION,
+    texture::ResetMaterial::OPERATION,
+    projection::SetupProjection::OPERATION,
+    projection::ProjectUv::OPERATION,
+    uv::TranslateUv::OPERATION,
+    uv::ScaleUv::OPERATION,
+    uv::RotateUv::OPERATION,
+    uv::NormalizeUv::OPERATION,
+    uv::TileUv::OPERATION,
+    uv::CopyUv::OPERATION,
+    uv::DeleteUv::OPERATION,
+    tag::Tag::OPERATION,
+    tag::DeleteTags::OPERATION,
+    tag::SetTagsFromEdgeAttrs::OPERATION,
     label::Label::OPERATION,
     report::ReportValue::OPERATION,
     print::PrintValue::OPERATION,
@@ -161,6 +195,8 @@ pub struct Operation {
     pub looks_around: bool,
     /// Its first argument becomes a label.
     pub labels: bool,
+    /// Plans do not show what it does.
+    pub unseen: bool,
     components: Components,
     sections: Sections,
     apply: Application,
@@ -226,6 +262,10 @@ pub struct Given<'a> {
     pub fields: &'a [(&'static str, Field)],
     /// The lot's outline on the plan.
     pub outline: &'a Area,
+    /// The region's attributes with a value for each edge of that outline.
+    pub edge_attributes: &'a [(Arc<str>, Arc<Array>)],
+    /// Some rule asks for tags.
+    pub tags: bool,
     /// The radii that are reserved in the lot so far.
     pub standing: &'a Standing,
     /// The earlier shapes and the features of the lot.
@@ -332,6 +372,9 @@ pub trait Apply {
     /// Its first argument becomes a label, so that rules may name it elsewhere.
     const LABELS: bool = false;
 
+    /// Plans do not show what it does.
+    const UNSEEN: bool = false;
+
     /// What the selectors of the block choose among; nothing for operations without selectors.
     fn components(&self, _shape: &Shape) -> Result<Vec<Component>, Problem> {
         Ok(Vec::new())
@@ -373,6 +416,7 @@ impl Operation {
             spec,
             looks_around: T::LOOKS_AROUND,
             labels: T::LABELS,
+            unseen: T::UNSEEN,
             components: |values, shape| T::decode(values)?.components(shape),
             sections: |values, shape, cuts, most| T::decode(values)?.sections(shape, cuts, most),
             apply: |values, shape, given| T::decode(values)?.apply(shape, given),

@@ -38,6 +38,7 @@ impl Apply for Resize {
             old => stretched(old, factor),
         };
         shape.scope.size = new;
+        shape.stretched(&DAffine3::from_scale(factor));
         Ok(Pieces::Changed)
     }
 }

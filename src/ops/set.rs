@@ -36,7 +36,8 @@ impl Apply for Set {
     }
 }
 
-fn built_in(shape: &mut Shape, name: &str, value: &Value) -> Result<(), Problem> {
+/// Sets a shape attribute by its name.
+pub(super) fn built_in(shape: &mut Shape, name: &str, value: &Value) -> Result<(), Problem> {
     let number = || value.as_float().ok_or_else(|| Problem::new(format!("`{name}` takes a number, found `{value}`")));
     if name == "seedian" {
         shape.seed = Seed(0).child(number()?.to_bits());
@@ -50,16 +51,24 @@ fn built_in(shape: &mut Shape, name: &str, value: &Value) -> Result<(), Problem>
         "envelope.openings" => style.envelope.openings = number()?,
         "envelope.water" => style.envelope.water = number()?,
         "envelope.seams" => style.envelope.seams = truth(name, value)?,
+        "trim.horizontal" => shape.surface_mut().trim[0] = Some(truth(name, value)?),
+        "trim.vertical" => shape.surface_mut().trim[1] = Some(truth(name, value)?),
         "material.color.rgb" => style.color = Some(super::color::parse(&value.to_string())?),
         _ => {
             let channel = ["material.color.r", "material.color.g", "material.color.b", "material.opacity"];
-            let Some(index) = channel.iter().position(|c| *c == name) else {
-                return Err(Problem::new(format!("`{name}` cannot be set")));
-            };
-            style.color.get_or_insert([1.0; 4])[index] = number()?.clamp(0.0, 1.0) as f32;
+            match (channel.iter().position(|c| *c == name), name.strip_prefix("material.")) {
+                (Some(index), _) => style.color.get_or_insert([1.0; 4])[index] = number()?.clamp(0.0, 1.0) as f32,
+                (_, Some(own)) => shape.surface_mut().put_material(own.into(), plain(value)),
+                _ => return Err(Problem::new(format!("`{name}` cannot be set"))),
+            }
         }
     }
     Ok(())
+}
+
+/// A bare word is a text by now.
+fn plain(value: &Value) -> Value {
+    if let Value::Word(word) = value { Value::Text(word.clone()) } else { value.clone() }
 }
 
 fn truth(name: &str, value: &Value) -> Result<bool, Problem> {

@@ -60,6 +60,8 @@ pub enum ParamKind {
     Truth,
     /// One of these words. Where it has a default, an argument that is not a word skips it.
     Choice(&'static [&'static str]),
+    /// A number from 0, from the end where negative, or one of these words.
+    Index(&'static [&'static str]),
     /// The name of an attribute.
     Attribute,
     /// Anything.
@@ -114,10 +116,8 @@ impl ParamKind {
             ParamKind::Text => "a text".into(),
             ParamKind::Word => "a word or a text".into(),
             ParamKind::Truth => "`true` or `false`".into(),
-            ParamKind::Choice(words) => {
-                let quoted: Vec<String> = words.iter().map(|w| format!("`{w}`")).collect();
-                format!("one of {}", quoted.join(", "))
-            }
+            ParamKind::Choice(words) => format!("one of {}", quoted(words)),
+            ParamKind::Index(words) => format!("a number or one of {}", quoted(words)),
             ParamKind::Attribute => "the name of an attribute".into(),
             ParamKind::Any => "any value".into(),
             ParamKind::PerEdge => "metres, or an array with metres for each edge".into(),
@@ -129,7 +129,8 @@ impl ParamKind {
 
     /// Whether bare words stand for themselves here.
     pub fn takes_words(self) -> bool {
-        matches!(self, ParamKind::Word | ParamKind::Choice(_) | ParamKind::Attribute | ParamKind::Any)
+        use ParamKind as P;
+        matches!(self, P::Word | P::Choice(_) | P::Index(_) | P::Attribute | P::Any)
     }
 
     /// Whether a value known before derivation can be right.
@@ -148,10 +149,17 @@ impl ParamKind {
             (ParamKind::Word | ParamKind::Attribute, Value::Word(_)) => true,
             (ParamKind::Attribute, Value::Text(_)) => true,
             (ParamKind::Truth, Value::Bool(_)) => true,
-            (ParamKind::Choice(words), Value::Word(word) | Value::Text(word)) => words.contains(&&**word),
+            (ParamKind::Choice(words) | ParamKind::Index(words), Value::Word(word) | Value::Text(word)) => {
+                words.contains(&&**word)
+            }
+            (ParamKind::Index(_), Value::Float(_)) => true,
             _ => false,
         }
     }
+}
+
+fn quoted(words: &[&str]) -> String {
+    words.iter().map(|w| format!("`{w}`")).collect::<Vec<_>>().join(", ")
 }
 
 /// A Rust type that a parameter can have.

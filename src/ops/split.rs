@@ -3,14 +3,14 @@
 use crate::geometry::{self, Area};
 use crate::ops::declare::operation;
 use crate::ops::spec::choice;
-use crate::ops::{Apply, Given, Part, Pieces, Problem, fit};
-use crate::shape::{Axis, Geometry, Plane, Shape};
+use crate::ops::{Apply, Given, Part, Pieces, Problem, fit, split_uv};
+use crate::shape::{Axis, Geometry, Plane, Shape, Way};
 use crate::value::Size;
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
 operation! {
-    /// Cuts the shape along an axis of its scope into parts of given sizes.
+    /// Cuts the shape along an axis of its scope, or along its texture coordinates, into parts of given sizes.
     ///
     /// A size is absolute (`3` metres), relative (`'0.3` of the scope) or floating (`~3`, a weight in what is left;
     /// the papers write `3r`). A `*` after the block repeats it as often as fits best: with floating sizes the parts
@@ -18,15 +18,25 @@ operation! {
     /// `{ 1 : A | { ~3 : B }* | 1 : C }`, repeats between fixed parts. Real geometry is cut: polygons with holes,
     /// prisms, edges. `split.index` and `split.total` count the parts over the whole split.
     ///
+    /// `split(u, unitSpace, 0)` cuts along a street and `split(v, unitSpace, 0)` across it, in metres, however it winds:
+    /// what is level and at least twice as long as wide has u along its middle line, all else by its scope's axes.
+    /// Lanes are offset curves, metres are measured in the middle of what is cut, and the parts' x runs along u. With
+    /// `uvSpace` sizes are in u and v themselves: 0 to 1 in set 0, metres from the start in set 1 and from the end in
+    /// set 2 for u.
+    ///
     /// The papers write `Subdiv(x, 7, 2, 5) { A | B | A }` and `Repeat(x, 2) { A }` (Ulmer et al. 2007, §2.1).
     /// ```cga
     /// Lot --> split(x) { 4 : Border | { ~6 : Bed | 1.5 : Path }* | 4 : Border }
+    /// Border --> split(v, unitSpace, 0) { 1 : Gravel | ~1 : split(u, unitSpace, 0) { ~3 : Meadow | ~3 : Lawn }* }
     /// ```
     "split" (CityEngine, Cuts) => pub struct Split {
         /// The axis to cut along.
         axis: Along,
-        /// `adjust` fits the parts' scopes to their geometry, `noAdjust` keeps the parent's extent across the axis.
+        /// `adjust` fits the parts' scopes to their geometry, `noAdjust` keeps the parent's extent across the axis;
+        /// along u and v: `unitSpace` takes sizes in metres, `uvSpace` in u and v.
         scope: Adjust = Adjust::Adjust => "adjust",
+        /// Which set of texture coordinates, for u and v.
+        uv_set: u32 = 0 => "0",
     }
 }
 
@@ -39,6 +49,10 @@ choice! {
         Y = "y",
         /// z
         Z = "z",
+        /// Along texture coordinates.
+        U = "u",
+        /// Across them.
+        V = "v",
     }
 }
 
@@ -49,6 +63,10 @@ choice! {
         Adjust = "adjust",
         /// The parent's extent across the axis.
         NoAdjust = "noAdjust",
+        /// Sizes in metres along texture coordinates.
+        UnitSpace = "unitSpace",
+        /// Sizes in texture coordinates.
+        UvSpace = "uvSpace",
     }
 }
 
@@ -76,7 +94,13 @@ pub(super) struct Interval {
 
 impl Apply for Split {
     fn apply(self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
-        let axis = [Axis::X, Axis::Y, Axis::Z][self.axis as usize];
+        let axis = match self.axis {
+            Along::X => Axis::X,
+            Along::Y => Axis::Y,
+            Along::Z => Axis::Z,
+            Along::U => return split_uv::split(shape, Way::U, self.scope == Adjust::UvSpace, self.uv_set, given),
+            Along::V => return split_uv::split(shape, Way::V, self.scope == Adjust::UvSpace, self.uv_set, given),
+        };
         let length = shape.scope.size[axis.index()];
         let intervals = intervals(given.cuts, length, given.most)?;
         parts(shape, axis, self.scope, &intervals)
@@ -91,7 +115,7 @@ pub(super) fn parts(shape: &Shape, axis: Axis, scope: Adjust, intervals: &[Inter
     for (index, (interval, geometry)) in (0..).zip(intervals.iter().zip(pieces)) {
         let child = match scope {
             _ if geometry == Geometry::Empty => None,
-            Adjust::Adjust => fit::fitted(shape, geometry),
+            Adjust::Adjust | Adjust::UnitSpace | Adjust::UvSpace => fit::fitted(shape, geometry),
             Adjust::NoAdjust => Some(unadjusted(shape, axis, interval, geometry)),
         };
         if let Some(mut child) = child {
@@ -130,7 +154,7 @@ fn flat(plane: &Plane, area: Area) -> Geometry {
     if area.is_empty() { Geometry::Empty } else { Geometry::Flat(plane.clone(), area) }
 }
 
-fn solid(mesh: geometry::Mesh) -> Geometry {
+pub(super) fn solid(mesh: geometry::Mesh) -> Geometry {
     if mesh.faces.is_empty() { Geometry::Empty } else { Geometry::Mesh(Arc::new(mesh)) }
 }
 

@@ -26,7 +26,9 @@ operation! {
 impl Apply for Translate {
     fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
         let offset = lengths([self.x, self.y, self.z], shape.scope.size)?;
-        shape.scope.frame = shape.scope.frame.moved(offset);
+        let before = shape.scope.frame;
+        shape.scope.frame = before.moved(offset);
+        shape.followed(before);
         Ok(Pieces::Changed)
     }
 }

@@ -8,6 +8,7 @@ mod resolve;
 mod strip;
 
 pub use crate::element::{Material, PlantSymbol, Texture};
+pub use crate::shape::{Chart, Course, Surface};
 pub use resolve::resolve;
 pub use strip::{Strip, strip_length};
 
@@ -78,6 +79,8 @@ pub struct Cover {
     pub area: Area,
     /// Its height above the datum.
     pub elevation: f64,
+    /// Textures, and the texture coordinates of the world's points (`Chart::uv`); none where rules set none.
+    pub surface: Option<Arc<Surface>>,
 }
 
 /// Something with height.
@@ -95,6 +98,8 @@ pub struct Solid {
     pub height: f64,
     /// Its faces where it is more than a prism over its footprint.
     pub mesh: Option<Arc<Mesh>>,
+    /// Textures, and the texture coordinates of the world's points; none where rules set none.
+    pub surface: Option<Arc<Surface>>,
 }
 
 /// A line without width.

@@ -116,7 +116,7 @@ impl Resolver<'_> {
 
     /// A flat shape that lies level is a cover, all else a solid.
     fn surface(&mut self, shape: &Shape, origin: Origin) {
-        let material = self.material(shape, &origin.rule);
+        let (material, surface) = (self.material(shape, &origin.rule), shape.style.surface.clone());
         let footprint = shape.footprint();
         let height = footprint.high - footprint.low;
         let area = match footprint.extent {
@@ -126,13 +126,13 @@ impl Resolver<'_> {
         };
         let level = matches!(shape.geometry, Geometry::Flat(..)) && height < 1e-6;
         if level {
-            self.scene.covers.push(Cover { origin, material, area, elevation: footprint.low });
+            self.scene.covers.push(Cover { origin, material, area, elevation: footprint.low, surface });
             return;
         }
         let upright = matches!(shape.geometry, Geometry::Prism(..)) && is_upright(shape);
         let mesh = if upright { None } else { shape.world_mesh().map(Arc::new) };
         let (base, footprint) = (footprint.low, area);
-        self.scene.solids.push(Solid { origin, material, footprint, base, height, mesh });
+        self.scene.solids.push(Solid { origin, material, footprint, base, height, mesh, surface });
     }
 
     fn element(&mut self, shape: &Shape, placed: &Placed, origin: Origin) {
@@ -207,9 +207,17 @@ impl Resolver<'_> {
         };
         if height > 0.0 && feature.kind != Kind::Water {
             let base = feature.elevation;
-            self.scene.solids.push(Solid { origin, material, footprint: area, base, height, mesh: None });
+            self.scene.solids.push(Solid {
+                origin,
+                material,
+                footprint: area,
+                base,
+                height,
+                mesh: None,
+                surface: None,
+            });
         } else {
-            self.scene.covers.push(Cover { origin, material, area, elevation: feature.elevation });
+            self.scene.covers.push(Cover { origin, material, area, elevation: feature.elevation, surface: None });
         }
     }
 

@@ -1,5 +1,6 @@
 //! Shapes: scope, geometry, attributes, and the tree a derivation makes of them.
 
+mod chart;
 mod derivation;
 mod facing;
 mod footprint;
@@ -11,7 +12,10 @@ mod record;
 mod scope;
 mod state;
 mod streets;
+mod surface;
+mod tag;
 
+pub use chart::{Chart, Course, Way};
 pub use derivation::{Derivation, LeafOf, Lot, Node, NodeId, Outcome, Print};
 pub use facing::Facing;
 pub use footprint::{Extent, Footprint, on_plan};
@@ -22,3 +26,5 @@ pub use record::{Deed, Event, Passage, Record};
 pub use scope::{Axis, Frame, Scope};
 pub use state::{Envelope, Ordinals, Place, Shape, Style};
 pub use streets::{StreetSide, Streets};
+pub use surface::Surface;
+pub use tag::{Part, Patch, Tag};

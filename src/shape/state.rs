@@ -1,7 +1,7 @@
 //! A shape: scope, geometry, what it inherits, and its seed.
 
 use crate::seed::Seed;
-use crate::shape::{Geometry, Scope, Streets};
+use crate::shape::{Geometry, Scope, Streets, Surface};
 use crate::value::Value;
 use glam::DQuat;
 use std::sync::Arc;
@@ -38,6 +38,8 @@ pub struct Style {
     pub streets: Option<Arc<Streets>>,
     /// What plants keep clear of.
     pub envelope: Envelope,
+    /// Texture coordinates, textures and tags; none for most shapes.
+    pub surface: Option<Arc<Surface>>,
 }
 
 /// How far plants keep away from what stands (Niese et al. 2022, §4, §5.2), metres. A negative distance looks away.

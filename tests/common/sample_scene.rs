@@ -80,7 +80,7 @@ pub fn plant(id: &str, kind: &str, position: DVec2, seed: u64) -> Plant {
 /// A cover of one of the catalogue's materials.
 pub fn cover(word: &str, area: Area) -> Cover {
     let origin = Origin { lot: "garden".into(), rule: "Cover".into(), id: format!("cover {word}").into() };
-    Cover { origin, material: material(word), area, elevation: 0.0 }
+    Cover { origin, material: material(word), area, elevation: 0.0, surface: None }
 }
 
 /// A square pavilion under a pyramid.
@@ -113,7 +113,7 @@ impl Garden {
 
     fn solid(&mut self, word: &str, footprint: Area, height: f64) {
         let origin = self.origin(format!("solid {}", self.scene.solids.len()));
-        let solid = Solid { origin, material: material(word), footprint, base: 0.0, height, mesh: None };
+        let solid = Solid { origin, material: material(word), footprint, base: 0.0, height, mesh: None, surface: None };
         self.scene.solids.push(solid);
     }
 

@@ -72,6 +72,8 @@ impl Engine<'_> {
             around: &current.around,
             fields: &fields,
             outline: &self.outline,
+            edge_attributes: &self.initial.edge_attributes,
+            tags: self.program.asks_for_tags,
             standing: &self.standing,
             intra: &self.intra,
             inter: &self.inter,
