@@ -24,7 +24,12 @@ pub(super) fn operation(spec: &Spec) -> String {
         BlockKind::None => String::new(),
         BlockKind::Cuts => format!(" {{ ~${{{next}:1}} : ${{{}:A}} \\}}", next + 1),
         BlockKind::Selectors(_) => format!(" {{ ${{{next}:all}} : ${{{}:A}} \\}}", next + 1),
-        BlockKind::Body => format!(" {{ ${{{next}:A}} \\}}"),
+        BlockKind::Body | BlockKind::Operands(1) => format!(" {{ ${{{next}:A}} \\}}"),
+        BlockKind::Operands(_) => format!(" {{ ${{{next}:A}} | ${{{}:B}} \\}}", next + 1),
+        BlockKind::Perimeter => {
+            let [depth, band, rest] = [next + 1, next + 2, next + 3];
+            format!(" {{ ~${{{next}:1}} : ${{{depth}:1}} : ${{{band}:A}} \\}} {{ remainder : ${{{rest}:B}} \\}}")
+        }
     };
     let optional = spec.params.len() > needed.len() && needed.is_empty();
     let inside = if optional { "$1".to_string() } else { stops.join(", ") };
