@@ -2,12 +2,13 @@
 
 use bosquet::diag::{Diagnostic, Severity};
 use bosquet::layout::{Crs, Kind, Layout, Region, Shapes, read_geojson};
-use bosquet::value::Value;
+use bosquet::value::{Array, Cells, Value};
 use glam::DVec2;
 use proptest::prelude::*;
 use serde_json::{Value as Json, json};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 fn read(json: &Json) -> (Layout, Vec<Diagnostic>) {
     let (layout, diagnostics) = read_geojson("plan.geojson", json.to_string().as_bytes());
@@ -148,7 +149,8 @@ fn a_hole_is_outside() {
 fn properties_become_attributes_and_facts() {
     let properties = json!({
         "kind": "lot", "name": "Rose cottage", "zone": "residential", "start": "Garden", "seed": 41, "elevation": 12.5,
-        "income": 3.5, "corner": true, "owner": "A. N.", "nothing": null, "tags": ["a"], "more": {"b": 1}
+        "income": 3.5, "corner": true, "owner": "A. N.", "nothing": null, "tags": ["a"], "mixed": ["a", 1],
+        "more": {"b": 1}
     });
     let (layout, diagnostics) = read(&local(vec![feature("7", properties, square(0.0, 0.0, 9.0))]));
     let lot = &layout.regions[0];
@@ -161,8 +163,10 @@ fn properties_become_attributes_and_facts() {
     assert_eq!(lot.attributes.get("corner"), Some(&Value::Bool(true)));
     assert_eq!(lot.attributes.get("owner"), Some(&Value::text("A. N.")));
     assert_eq!(lot.attributes.get("nothing"), None);
+    let tags = Array::row(Cells::Texts(vec!["a".into()]));
+    assert_eq!(lot.attributes.get("tags"), Some(&Value::Array(Arc::new(tags))));
     let told = of(&diagnostics, "layout-property");
-    assert!(told.len() == 1 && told[0].message.contains("`7.tags`") && told[0].message.contains("(2)"), "{told:?}");
+    assert!(told.len() == 1 && told[0].message.contains("`7.mixed`") && told[0].message.contains("(2)"), "{told:?}");
 }
 
 #[test]

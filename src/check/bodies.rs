@@ -102,9 +102,10 @@ impl Checker {
             return None;
         }
         if !others.is_empty() {
-            let message = format!("`{name}` takes {}, found {}", others.join(" or "), call.args.len());
-            self.tell(Diagnostic::error("arguments", call.span, message));
-            return None;
+            let message = format!("`{name}` takes {}, found {}: it is a leaf", others.join(" or "), call.args.len());
+            let hint = "a rule of that name with as many parameters would take it";
+            self.tell(Diagnostic::lint("arguments", call.span, message).hint(hint));
+            return Some(self.successor(call, None));
         }
         if name.contains('.') && !call.leaf && !self.leads_into_import(name) {
             let message = format!("there is no rule `{name}`");

@@ -31,7 +31,7 @@ impl Array {
 
     /// Rows of so many columns each; `None` where the cells do not fill them.
     pub fn new(columns: usize, cells: Cells) -> Option<Array> {
-        let fills = if columns == 0 { cells.len() == 0 } else { cells.len().is_multiple_of(columns) };
+        let fills = if columns == 0 { cells.is_empty() } else { cells.len().is_multiple_of(columns) };
         fills.then_some(Array { columns, cells })
     }
 

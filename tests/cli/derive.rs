@@ -125,17 +125,17 @@ fn lists_come_from_the_layout_the_manifest_and_the_command_line() {
         "geometry": {"type": "Polygon", "coordinates": [[[0, 0], [40, 0], [40, 20], [0, 20], [0, 0]]]}}"#;
     let bench = Bench::new().with("lot.geojson", lot).with("rules.cga", rules);
     let ran = bench.bosquet("derive lot.geojson --rules rules.cga -o a.svg").ends(0);
-    assert_eq!(ran.out, "0 Lot: [1, 2; 3, 4]\n0 Lot: [a]\n");
+    assert_eq!(ran.out, "1 Lot: [1, 2; 3, 4]\n1 Lot: [a]\n");
     ran.says(&["properties that are objects or lists of several types are skipped"]);
     let set = "derive lot.geojson --rules rules.cga -o a.svg --set list=[7,8] --set words=[\"b\",\"c\"]";
-    assert_eq!(bench.bosquet(set).ends(0).out, "0 Lot: [7, 8]\n0 Lot: [b, c]\n");
+    assert_eq!(bench.bosquet(set).ends(0).out, "1 Lot: [7, 8]\n1 Lot: [b, c]\n");
     bench
         .bosquet("derive lot.geojson --rules rules.cga --set list=7")
         .ends(2)
         .says(&["`list` takes a list of numbers"]);
     let manifest = "layout = 'lot.geojson'\nrules = 'rules.cga'\nattributes.list = [5]\n";
     let bench = bench.with("bosquet.toml", manifest);
-    assert_eq!(bench.bosquet("derive . -o a.svg").ends(0).out, "0 Lot: [5]\n0 Lot: [a]\n");
+    assert_eq!(bench.bosquet("derive . -o a.svg").ends(0).out, "1 Lot: [5]\n1 Lot: [a]\n");
 }
 
 #[test]
