@@ -109,6 +109,7 @@ impl Desk<'_> {
         match owner.and_then(|owner| ops::find(document.word(owner))).map(|operation| operation.spec.block) {
             Some(BlockKind::Selectors(extra)) => found.selectors(extra),
             Some(BlockKind::Cuts) => {}
+            Some(BlockKind::Perimeter) => found.selectors(&["remainder"]),
             _ => found.selectors(&[]),
         }
         self.locals(document, context, found);

@@ -19,21 +19,25 @@ pub(super) fn literal(text: &str) -> String {
 pub(super) fn operation(spec: &Spec) -> String {
     let needed: Vec<&Param> = spec.params.iter().filter(|param| param.default.is_none()).collect();
     let stops: Vec<String> = needed.iter().enumerate().map(|(index, param)| stop(index + 1, param)).collect();
-    let next = stops.len() + 1;
-    let block = match spec.block {
-        BlockKind::None => String::new(),
-        BlockKind::Cuts => format!(" {{ ~${{{next}:1}} : ${{{}:A}} \\}}", next + 1),
-        BlockKind::Selectors(_) => format!(" {{ ${{{next}:all}} : ${{{}:A}} \\}}", next + 1),
-        BlockKind::Body | BlockKind::Operands(1) => format!(" {{ ${{{next}:A}} \\}}"),
-        BlockKind::Operands(_) => format!(" {{ ${{{next}:A}} | ${{{}:B}} \\}}", next + 1),
-        BlockKind::Perimeter => {
-            let [depth, band, rest] = [next + 1, next + 2, next + 3];
-            format!(" {{ ~${{{next}:1}} : ${{{depth}:1}} : ${{{band}:A}} \\}} {{ remainder : ${{{rest}:B}} \\}}")
-        }
-    };
+    let block = block(spec.block, stops.len() + 1);
     let optional = spec.params.len() > needed.len() && needed.is_empty();
     let inside = if optional { "$1".to_string() } else { stops.join(", ") };
     format!("{}({inside}){block}", spec.name)
+}
+
+/// A block with stops from a number on.
+fn block(kind: BlockKind, next: usize) -> String {
+    let (second, third, fourth) = (next + 1, next + 2, next + 3);
+    match kind {
+        BlockKind::None => String::new(),
+        BlockKind::Cuts => format!(" {{ ~${{{next}:1}} : ${{{second}:A}} \\}}"),
+        BlockKind::Perimeter => {
+            format!(" {{ ~${{{next}:6}} : ${{{second}:3}} : ${{{third}:A}} \\}} {{ remainder : ${{{fourth}:B}} \\}}")
+        }
+        BlockKind::Selectors(_) => format!(" {{ ${{{next}:all}} : ${{{second}:A}} \\}}"),
+        BlockKind::Body | BlockKind::Operands(1) => format!(" {{ ${{{next}:A}} \\}}"),
+        BlockKind::Operands(_) => format!(" {{ ${{{next}:A}} | ${{{second}:B}} \\}}"),
+    }
 }
 
 fn stop(index: usize, param: &Param) -> String {

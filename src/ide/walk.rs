@@ -316,7 +316,9 @@ impl<'d> Walk<'d> {
     /// What an entry of a block begins with: a head, or what it leads to.
     fn entry(&self, from: usize, frame: &Frame) -> Mode {
         let block = frame.owner.and_then(|owner| ops::find(self.document.word(owner))).map(|o| o.spec.block);
-        if block == Some(BlockKind::Body) || self.document.kind(from) == Some(TokenKind::Case) {
+        if matches!(block, Some(BlockKind::Body | BlockKind::Operands(_)))
+            || self.document.kind(from) == Some(TokenKind::Case)
+        {
             return frame.after;
         }
         let end = self.document.pieces[self.piece].tokens.end;
@@ -352,8 +354,13 @@ impl<'d> Walk<'d> {
         let (paper, named) = (self.kind == PieceKind::PaperRule, self.is_named);
         let is_list = self.top().opener.is_some_and(|o| o > 0 && self.document.kind(o - 1) == Some(TokenKind::Text));
         let entry = (kind == TokenKind::Bar && self.top().is_block).then(|| self.entry(token + 1, self.top()));
+        // `length : depth : A`: a second colon ends the head.
+        let is_length = kind == TokenKind::Colon
+            && self.block() == Some(BlockKind::Perimeter)
+            && self.entry(token + 1, self.top()) == Mode::Key;
         let top = self.top_mut();
         match (kind, top.mode) {
+            (TokenKind::Colon, Mode::Key) if is_length => {}
             (TokenKind::Comma, Mode::Value | Mode::Steps) if is_list => top.mode = Mode::Given,
             (TokenKind::Comma, _) => (top.argument, top.named) = (top.argument + 1, None),
             (TokenKind::Bar, _) => top.mode = entry.unwrap_or(top.mode),
