@@ -44,7 +44,8 @@ fn leaves(rules: &str, outline: Polygon) -> Vec<(String, Box<Shape>)> {
         world: &world,
         limits: Limits::default(),
     };
-    let layout = place::layout(vec![place::region("street", outline)], Vec::new());
+    let corners: String = outline.outer().iter().map(|p| format!(" {},{}", p.x, p.y)).collect();
+    let layout = place::parse(&[&format!("polygon{corners}"), "id street"]).expect("a layout");
     let (derivation, diagnostics) = derive(&program, &layout, &options, &Progress::default());
     assert!(diagnostics.is_empty(), "{diagnostics:?}");
     let outcome = &derivation.lots[0].outcome;

@@ -311,6 +311,8 @@ fn planted(arguments: &[(&str, Value)], radius: f64, seed: u64) -> Shape {
         cuts: &[],
         depths: &[],
         operands: &[],
+        edge_attributes: &[],
+        tags: false,
         chosen: &[],
         seed: Seed(seed),
         lot: Seed(7),
