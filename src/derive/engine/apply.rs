@@ -238,6 +238,9 @@ impl Engine<'_> {
             let mut shape = part.shape;
             shape.seed = seed.child(index as u64);
             let Some(body) = application.bodies.get(part.entry as usize) else { continue };
+            if self.program.asks_for_selectors && matches!(application.block, Block::Selectors(_)) {
+                Arc::make_mut(&mut shape.style).selector = application.selector(part.entry);
+            }
             let current = Current::new(shape, self.branch(branch));
             let mark = self.mark();
             self.took(application, part.entry, index, total, turn);
