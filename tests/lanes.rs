@@ -90,7 +90,7 @@ proptest! {
     }
 
     #[test]
-    fn what_stands_along_a_lane_is_evenly_spaced(arcs in arcs(), spacing in 5.0..9.0) {
+    fn what_stands_along_a_lane_is_evenly_spaced(arcs in arcs(), spacing in 5.0..9.0f64) {
         let rules = format!(
             "Lot --> split(v, unitSpace, 0) {{ 2 : Strip | ~1 : B. }}
              Strip --> report(\"length\", geometry.du(0, unitSpace)) split(u, unitSpace, 0) {{ ~{spacing} : Pit. }}*"
