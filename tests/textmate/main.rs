@@ -158,7 +158,8 @@ fn put_words(grammar: &mut Value, part: &str, words: &BTreeSet<String>) {
 fn every_word_of_the_language_is_coloured() {
     let names = |names: Vec<&str>| names.into_iter().map(String::from).collect::<BTreeSet<String>>();
     let operations = ops::OPERATIONS.iter().flat_map(|o| o.spec.aliases.iter().copied().chain([o.spec.name]));
-    let functions = functions::all().filter(|f| !f.signature.is_empty()).map(|f| f.name);
+    // A function with an operation's name is coloured as that: a grammar does not know which is meant.
+    let functions = functions::all().filter(|f| !f.signature.is_empty() && ops::find(f.name).is_none()).map(|f| f.name);
     let attributes = functions::all().filter(|f| f.signature.is_empty()).map(|f| f.name);
     let parts = [
         ("operations", names(operations.collect())),
