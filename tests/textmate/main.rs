@@ -172,6 +172,9 @@ fn every_word_of_the_language_is_coloured() {
             let all = words(&grammar, part).union(wanted).cloned().collect();
             put_words(&mut grammar, part, &all);
         }
+        let selectors = names(ops::Selectors::words().chain(["remainder"]).collect());
+        let all = words(&grammar, "selectors").union(&selectors).cloned().collect();
+        put_words(&mut grammar, "selectors", &all);
         let text = serde_json::to_string_pretty(&grammar).expect("JSON") + "\n";
         std::fs::write(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(PATH), text).expect("the grammar");
     }
