@@ -71,12 +71,9 @@ impl Client {
     /// The next diagnostics of a file.
     pub fn diagnostics(&mut self, name: &str) -> Vec<Value> {
         let uri = self.uri(name);
-        loop {
-            let note = self.note("textDocument/publishDiagnostics");
-            if note["uri"] == *uri {
-                return note["diagnostics"].as_array().expect("a list").clone();
-            }
-        }
+        let mut told = self.note("textDocument/publishDiagnostics", &uri);
+        assert!(told["diagnostics"].is_array(), "{told}");
+        serde_json::from_value(told["diagnostics"].take()).expect("a list")
     }
 
     /// The result of a request about a place in a file.
@@ -136,13 +133,15 @@ impl Client {
         input.write_all(bytes).and_then(|()| input.flush()).expect("the server reads");
     }
 
-    fn note(&mut self, method: &str) -> Value {
-        if let Some(index) = self.notes.iter().position(|note| note["method"] == method) {
+    /// The parameters of the next notification of a method about a file; others wait.
+    fn note(&mut self, method: &str, uri: &str) -> Value {
+        let wanted = |note: &Value| note["method"] == method && note["params"]["uri"] == uri;
+        if let Some(index) = self.notes.iter().position(wanted) {
             return self.notes.remove(index).expect("it is there")["params"].take();
         }
         loop {
             let mut message = self.receive();
-            if message["method"] == method {
+            if wanted(&message) {
                 return message["params"].take();
             }
             self.notes.push_back(message);
