@@ -15,7 +15,7 @@ operation! {
     /// Lot --> s(12, 12, 12) center(xz) primitiveSphere(24, 12) setNormals(soft) color("#7d9a5c") Dome.
     /// ```
     "setNormals" (CityEngine, None) => pub struct SetNormals {
-        /// How.
+        /// How vertices are shaded.
         mode: Mode = Mode::Auto => "auto",
     }
 }
