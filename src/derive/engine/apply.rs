@@ -39,7 +39,7 @@ impl Engine<'_> {
         if application.ready.is_none() {
             self.arguments(application, turn, current, &mut values, &mut fields)?;
         }
-        let chosen = match &application.block {
+        let mut chosen = match &application.block {
             Block::Selectors(selectors) | Block::Perimeter { rest: selectors, .. } => {
                 let components = application.components(&mut values.clone(), &current.shape);
                 let components = components.map_err(|p| self.problem(application, p, turn))?;
@@ -54,6 +54,10 @@ impl Engine<'_> {
             Block::Perimeter { depths, .. } => self.depths(application, depths, &cuts, &values, turn, current)?,
             _ => Vec::new(),
         };
+        if let Block::Perimeter { depths, .. } = &application.block {
+            // What bands leave goes to the bodies behind theirs.
+            chosen.iter_mut().flatten().for_each(|choice| choice.entry += depths.len() as u16);
+        }
         let seed = current.shape.seed.child(current.count);
         current.count += 1;
         let operands = match &application.block {
