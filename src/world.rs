@@ -62,6 +62,35 @@ pub fn rules(world: &dyn World, path: &str) -> Result<Arc<[u8]>, WorldError> {
     Ok(text.as_bytes().into())
 }
 
+/// The rule file that `from` imports as `path`: where it is, and its bytes.
+///
+/// It is looked for from the folder of `from` and then as CityEngine's projects name it: from a folder `rules` above it,
+/// and where the path begins with `/`, from every folder above it. The error is that of the first place.
+pub fn imported(world: &dyn World, from: &str, path: &str) -> Result<(String, Arc<[u8]>), WorldError> {
+    let first = join(from, path);
+    let error = match rules(world, &first) {
+        Ok(bytes) => return Ok((first, bytes)),
+        Err(error) => error,
+    };
+    let found = elsewhere(from, path).into_iter().find_map(|place| Some((place.clone(), world.source(&place).ok()?)));
+    found.ok_or(error)
+}
+
+/// The further places of an import, the nearest first.
+fn elsewhere(from: &str, path: &str) -> Vec<String> {
+    if path.starts_with(library::PREFIX) || from.starts_with(library::PREFIX) {
+        return Vec::new();
+    }
+    let above = from.match_indices('/').rev().map(|(end, _)| &from[..end]);
+    match path.strip_prefix('/') {
+        Some(inside) => above.map(|folder| format!("{folder}/{inside}")).chain([inside.to_string()]).collect(),
+        None => {
+            let named = above.filter(|folder| folder.rsplit('/').next() == Some("rules"));
+            named.map(|folder| join(&format!("{folder}/_"), path)).collect()
+        }
+    }
+}
+
 /// `path` as seen from the file `from`: relative to its folder, with `.` and `..` folded. Paths into the library stay in
 /// it, and are the same from everywhere.
 pub fn join(from: &str, path: &str) -> String {
@@ -115,7 +144,18 @@ impl World for MemoryWorld {
 
 #[cfg(test)]
 mod tests {
-    use super::join;
+    use super::{elsewhere, join};
+
+    #[test]
+    fn imports_are_found_from_their_project() {
+        assert_eq!(elsewhere("w/p/rules/lanes/a.cga", "lanes/b.cga"), ["w/p/rules/lanes/b.cga"]);
+        assert_eq!(
+            elsewhere("w/p/rules/a.cga", "/q/rules/b.cga")[..2],
+            ["w/p/rules/q/rules/b.cga", "w/p/q/rules/b.cga"]
+        );
+        assert_eq!(elsewhere("a.cga", "/b.cga"), ["b.cga"]);
+        assert!(elsewhere("bosquet:patterns/a.cga", "b.cga").is_empty());
+    }
 
     #[test]
     fn paths_are_relative_to_the_file_that_names_them() {

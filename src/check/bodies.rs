@@ -93,7 +93,9 @@ impl Checker {
         if self.is_lost(name) {
             return None;
         }
-        let near = self.near_step(name);
+        // What is near is costly to find, and nobody asks for it where the leaf is meant.
+        let is_meant = call.args.is_empty() && call.blocks.is_empty() && (call.leaf || self.is_cover(name));
+        let near = if is_meant { None } else { self.near_step(name) };
         let others = self.other_rules(name);
         let span = call.name.span;
         if !call.blocks.is_empty() {

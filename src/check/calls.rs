@@ -87,6 +87,7 @@ impl Checker {
         let (least, most) = function.arity;
         self.program.looks_around |= function.looks_around;
         self.program.asks_for_tags |= function.asks_for_tags;
+        self.program.asks_for_selectors |= function.asks_for_selectors;
         self.program.asks_for_solids |= function.looks_around;
         if args.len() < least || args.len() > most {
             let message = format!("`{}` takes {}, found {}", function.name, arity(least, most), args.len());

@@ -11,7 +11,7 @@ use crate::library;
 use crate::syntax::ast::{self, FunctionKind, ItemKind};
 use crate::syntax::{Source, parse};
 use crate::value::{Array, Cells, Value};
-use crate::world::{World, join, rules};
+use crate::world::{World, imported, join, rules};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
@@ -238,17 +238,19 @@ impl Loaded {
         chain: &[u16],
     ) -> Option<()> {
         let from = self.files[self.modules[module].file as usize].0.path().to_string();
-        let path = join(&from, &import.path.text);
         let span = import.path.span;
         if chain.len() >= DEEPEST_IMPORT {
             self.error("import", span, format!("imports are nested deeper than {DEEPEST_IMPORT}"));
             return None;
         }
-        let bytes = match rules(world, &path) {
-            Ok(bytes) => bytes,
+        let (path, bytes) = match imported(world, &from, &import.path.text) {
+            Ok(found) => found,
             Err(error) => {
-                let relative = || "paths of imports are relative to the file that imports".to_string();
-                let hint = library::beside(&path).unwrap_or_else(relative);
+                let relative = || {
+                    "paths of imports are relative to the file that imports, or to a folder `rules` above it"
+                        .to_string()
+                };
+                let hint = library::beside(&join(&from, &import.path.text)).unwrap_or_else(relative);
                 let diagnostic = Diagnostic::error("import", span, error.to_string()).hint(hint);
                 self.diagnostics.push(diagnostic);
                 return None;

@@ -39,6 +39,8 @@ pub struct Program {
     pub looks_around: bool,
     /// Some rule asks for tags, so operations set theirs.
     pub asks_for_tags: bool,
+    /// Some rule asks which selector took a component, so the engine notes it.
+    pub asks_for_selectors: bool,
     /// Some rule asks how shapes lie to each other, so the engine keeps what it builds as well.
     pub asks_for_solids: bool,
 }
@@ -278,6 +280,16 @@ impl Program {
 }
 
 impl Application {
+    /// The word of the selector that an entry of the block stands for, where it is one.
+    pub fn selector(&self, entry: u16) -> Option<Arc<str>> {
+        let Block::Selectors(selectors) = &self.block else { return None };
+        match &selectors.get(usize::from(entry))?.test {
+            Test::Word(word) => Some(word.clone()),
+            Test::Remainder => Some("remainder".into()),
+            Test::Index(_) | Test::Condition(_) => None,
+        }
+    }
+
     /// The operation with its arguments, where all of them are known.
     pub fn ready(operation: &Operation, args: &[Option<Code>]) -> Option<Box<dyn Ready>> {
         let known = |arg: &Option<Code>| match arg {

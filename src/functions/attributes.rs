@@ -43,6 +43,13 @@ pub(super) static LIST: &[Function] = &[
     attribute!("comp.total", "The number of components of the last component split.", |a| {
         Value::Float(f64::from(a.shape.ordinals.comp.1))
     }),
+    attribute!(
+        "comp.sel",
+        "The word of the selector that took the component; empty where an index or a condition did.",
+        |a| { Value::Text(a.shape.style.selector.clone().unwrap_or_default()) }
+    )
+    .text()
+    .asking_for_selectors(),
     attribute!("place.index", "The number of the point in the last placement, from 0.", |a| {
         Value::Float(f64::from(a.shape.ordinals.place.index))
     })

@@ -66,6 +66,8 @@ pub struct Function {
     pub settable: bool,
     /// It asks how shapes lie to each other.
     pub looks_around: bool,
+    /// It asks which selector took a component.
+    pub asks_for_selectors: bool,
     /// It asks for tags, so operations set theirs.
     pub asks_for_tags: bool,
     /// CityEngine's, or ours.
@@ -205,6 +207,7 @@ impl Function {
             gives: Gives::Number,
             settable: false,
             looks_around: false,
+            asks_for_selectors: false,
             asks_for_tags: false,
             added: false,
             call,
@@ -244,6 +247,11 @@ impl Function {
 
     const fn settable(mut self) -> Function {
         self.settable = true;
+        self
+    }
+
+    const fn asking_for_selectors(mut self) -> Function {
+        self.asks_for_selectors = true;
         self
     }
 

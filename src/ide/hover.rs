@@ -40,7 +40,7 @@ impl Desk<'_> {
         let path = import.filter(|import| path_token(document, import) == Some(token));
         match path {
             Some(import) => {
-                let path = imported_path(document, import)?;
+                let path = imported_path(self.world, document, import)?;
                 let names: Vec<String> =
                     self.document(&path)?.definitions().iter().map(|d| format!("`{}`", d.name)).collect();
                 Some(format!("`{path}`: {}", names.join(", ")))

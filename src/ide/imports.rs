@@ -7,7 +7,7 @@ use crate::ide::Desk;
 use crate::ide::document::{Definition, Document, Sort};
 use crate::ide::walk::Role;
 use crate::syntax::TokenKind;
-use crate::world::join;
+use crate::world::{World, imported, join};
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
@@ -15,7 +15,7 @@ impl Desk<'_> {
     /// The file that an import of a document brings, as the world calls it.
     pub(super) fn imported(&self, document: &Document, name: &str) -> Option<String> {
         let import = document.named(name).find(|d| d.sort == Sort::Import)?;
-        imported_path(document, import)
+        imported_path(self.world, document, import)
     }
 
     /// A document and all that it imports, itself first.
@@ -26,7 +26,7 @@ impl Desk<'_> {
                 continue;
             }
             let Some(document) = self.document(&path) else { continue };
-            open.extend(imports(&document).filter_map(|import| imported_path(&document, import)));
+            open.extend(imports(&document).filter_map(|import| imported_path(self.world, &document, import)));
             found.push(document);
         }
         found
@@ -68,9 +68,10 @@ fn imports(document: &Document) -> impl Iterator<Item = &Definition> {
 }
 
 /// Where an import leads.
-pub(super) fn imported_path(document: &Document, import: &Definition) -> Option<String> {
-    let token = path_token(document, import)?;
-    Some(join(document.path(), document.text_of(token)))
+pub(super) fn imported_path(world: &dyn World, document: &Document, import: &Definition) -> Option<String> {
+    let text = document.text_of(path_token(document, import)?);
+    let found = imported(world, document.path(), text).map(|(path, _)| path);
+    Some(found.unwrap_or_else(|_| join(document.path(), text)))
 }
 
 /// The text of an import that is its path; other definitions have none.
@@ -89,7 +90,7 @@ fn shared(desk: &Desk, document: &Document, name: &str) -> Vec<(String, String)>
         return Vec::new();
     }
     let open = imports(document).filter(|import| !is_held(document, import, name));
-    let paths = open.filter_map(|import| imported_path(document, import));
+    let paths = open.filter_map(|import| imported_path(desk.world, document, import));
     let inner = paths.filter_map(|path| desk.document(&path)).filter(|inner| declares(inner, &[Sort::Attribute]));
     inner.map(|inner| (document.path().to_string(), inner.path().to_string())).collect()
 }

@@ -67,7 +67,8 @@ impl Desk<'_> {
     fn import_at(&self, document: &Document, offset: usize) -> Option<String> {
         let token = document.token_at(offset).filter(|token| document.kind(*token) == Some(TokenKind::Text))?;
         let import = document.definition_of(document.piece_of(token))?;
-        let path = imported_path(document, import).filter(|_| path_token(document, import) == Some(token))?;
+        let path =
+            imported_path(self.world, document, import).filter(|_| path_token(document, import) == Some(token))?;
         self.document(&path).map(|_| path)
     }
 }

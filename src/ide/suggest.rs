@@ -142,7 +142,7 @@ impl Desk<'_> {
             return;
         }
         for import in document.definitions().iter().filter(|d| d.sort == Sort::Import) {
-            let inner = imported_path(document, import).filter(|path| path != here);
+            let inner = imported_path(self.world, document, import).filter(|path| path != here);
             if let Some(inner) = inner.and_then(|path| self.document(&path)) {
                 self.named(&inner, &format!("{prefix}{}.", import.name), sorts, here, found);
             }
@@ -152,7 +152,7 @@ impl Desk<'_> {
     /// What stands in the parentheses of an import: names of the imported file.
     pub(super) fn names_of_import(&self, document: &Document, context: &Context, found: &mut List) {
         let import = context.piece.and_then(|piece| document.definition_of(piece));
-        let path = import.and_then(|import| imported_path(document, import));
+        let path = import.and_then(|import| imported_path(self.world, document, import));
         self.settable(document, path, found);
     }
 

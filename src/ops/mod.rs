@@ -71,6 +71,7 @@ mod t;
 mod tag;
 mod texture;
 mod translate;
+mod trim;
 mod uv;
 mod without;
 
@@ -165,6 +166,7 @@ pub static OPERATIONS: &[Operation] = &[
     normals::SetNormals::OPERATION,
     normals::SoftenNormals::OPERATION,
     normals::ReduceGeometry::OPERATION,
+    trim::Trim::OPERATION,
     set::Set::OPERATION,
     color::Color::OPERATION,
     texture::SetTexture::OPERATION,

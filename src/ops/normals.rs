@@ -16,7 +16,7 @@ operation! {
     /// Ball --> s(12, 12, 12) center(xz) primitiveSphere(24, 12) setNormals(soft) Topiary
     /// ```
     "setNormals" (CityEngine, None) => pub struct SetNormals {
-        /// How.
+        /// How vertices are shaded.
         mode: Mode = Mode::Auto => "auto",
     }
 }

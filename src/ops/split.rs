@@ -33,7 +33,7 @@ operation! {
         axis: Along,
         /// `adjust` fits the parts' scopes to their geometry, `noAdjust` keeps the parent's extent across the axis;
         /// along u and v: `unitSpace` takes sizes in metres, `uvSpace` in u and v.
-        scope: Adjust = Adjust::Adjust => "adjust",
+        scope: Adjust = Adjust::Fitted => "adjust",
         /// Which set of texture coordinates, for u and v.
         uv_set: u32 = 0 => "0",
     }
@@ -59,9 +59,9 @@ choice! {
     /// What becomes of the scopes of parts.
     pub enum Adjust {
         /// Fitted to the geometry.
-        Adjust = "adjust",
+        Fitted = "adjust",
         /// The parent's extent across the axis.
-        NoAdjust = "noAdjust",
+        Kept = "noAdjust",
         /// Sizes in metres along texture coordinates.
         UnitSpace = "unitSpace",
         /// Sizes in texture coordinates.
@@ -114,8 +114,8 @@ pub(super) fn parts(shape: &Shape, axis: Axis, scope: Adjust, intervals: &[Inter
     for (index, (interval, geometry)) in (0..).zip(intervals.iter().zip(pieces)) {
         let child = match scope {
             _ if geometry == Geometry::Empty => None,
-            Adjust::Adjust | Adjust::UnitSpace | Adjust::UvSpace => fit::fitted(shape, geometry),
-            Adjust::NoAdjust => Some(unadjusted(shape, axis, interval, geometry)),
+            Adjust::Fitted | Adjust::UnitSpace | Adjust::UvSpace => fit::fitted(shape, geometry),
+            Adjust::Kept => Some(unadjusted(shape, axis, interval, geometry)),
         };
         if let Some(mut child) = child {
             child.ordinals.split = (index, total);

@@ -20,7 +20,7 @@ operation! {
         /// The axis to cut along.
         axis: Along,
         /// `adjust` fits the parts' scopes to their geometry, `noAdjust` keeps the parent's extent across the axis.
-        scope: Adjust = Adjust::Adjust => "adjust",
+        scope: Adjust = Adjust::Fitted => "adjust",
     }
 }
 

@@ -14,11 +14,8 @@ const fn unbuilt(name: &'static str, does: &'static str) -> Unbuilt {
 }
 
 /// Operations.
-pub static UNBUILT_OPERATIONS: &[Unbuilt] = &[
-    unbuilt("envelope", "makes a zoning envelope"),
-    unbuilt("trim", "cuts along trim planes"),
-    unbuilt("modify", "changes components in place"),
-];
+pub static UNBUILT_OPERATIONS: &[Unbuilt] =
+    &[unbuilt("envelope", "makes a zoning envelope"), unbuilt("modify", "changes components in place")];
 
 /// Functions.
 pub static UNBUILT_FUNCTIONS: &[Unbuilt] = &[];

@@ -32,6 +32,8 @@ pub struct Style {
     pub material: Option<Arc<str>>,
     /// The last `label()`.
     pub label: Option<Arc<str>>,
+    /// `comp.sel`: the selector that took the component; only where a rule asks for it.
+    pub selector: Option<Arc<str>>,
     /// How the initial shape was turned: what `object.front` means.
     pub object: DQuat,
     /// The streets around the lot: what `street.front` means; the sides of the initial shape where none are known.

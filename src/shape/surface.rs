@@ -60,7 +60,7 @@ impl Surface {
             return;
         }
         let charts = self.charts.iter_mut().chain(&mut self.projections);
-        charts.for_each(|(_, chart)| chart.plane = chart.plane * back);
+        charts.for_each(|(_, chart)| chart.plane *= back);
         self.tags.iter_mut().for_each(|tag| tag.carried(motion));
         if let Some(pivot) = &mut self.pivot {
             pivot.origin = motion.transform_point3(pivot.origin);

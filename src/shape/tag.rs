@@ -97,7 +97,10 @@ impl Shape {
         match &self.geometry {
             Geometry::Empty | Geometry::Element(_) => return Vec::new(),
             Geometry::Point => {
-                return (part == Part::Vertices).then(|| Patch::Vertex(self.scope.frame.origin)).into_iter().collect();
+                return (part == Part::Vertices)
+                    .then_some(Patch::Vertex(self.scope.frame.origin))
+                    .into_iter()
+                    .collect();
             }
             Geometry::Path(points) => {
                 let points: Vec<DVec3> = points.iter().map(world).collect();

@@ -61,8 +61,8 @@ fn lints_alone_end_well() {
 
 #[test]
 fn operations_that_are_not_built_yet_say_so_where_they_stand() {
-    let bench = Bench::two_lots("Lot --> roofGable(30) Lawn");
-    bench.derive_two("-o a.svg").ends(1).says(&["roofGable", "rules.cga:1:9", "yet"]);
+    let bench = Bench::two_lots("Lot --> envelope(world.up, 10) Lawn");
+    bench.derive_two("-o a.svg").ends(1).says(&["envelope", "rules.cga:1:9", "yet"]);
 }
 
 #[test]

@@ -51,8 +51,8 @@ fn the_pages_of_one_operation_agree() {
 #[test]
 fn all_chapters_print_and_unknown_names_get_advice() {
     let bench = Bench::new();
-    for chapter in ["functions", "covers", "elements", "unbuilt"] {
-        assert!(bench.run(&["ops", chapter]).ends(0).out.lines().count() > 10, "{chapter}");
+    for (chapter, least) in [("functions", 100), ("covers", 10), ("elements", 50), ("unbuilt", 2)] {
+        assert!(bench.run(&["ops", chapter]).ends(0).out.lines().count() > least, "{chapter}");
     }
     bench.bosquet("ops extrud").ends(2).says(&["did you mean `extrude`?"]);
     let unbuilt = manual(&bench)["unbuilt"]["operations"][0]["name"].as_str().expect("a name").to_owned();

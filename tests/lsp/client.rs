@@ -4,17 +4,41 @@ use serde_json::{Value, json};
 use std::collections::VecDeque;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::sync::mpsc::{self, Receiver};
+use std::time::Duration;
 use tempfile::TempDir;
 
 /// A session with the server.
 pub struct Client {
     server: Child,
     input: Option<ChildStdin>,
-    output: BufReader<ChildStdout>,
+    messages: Receiver<Value>,
     folder: TempDir,
     number: i32,
     /// Notifications that came while an answer was waited for.
     notes: VecDeque<Value>,
+}
+
+/// How long the server may think; tests are not timed, but they have to end.
+const PATIENCE: Duration = Duration::from_secs(120);
+
+/// The next message of a server; none where it has gone.
+fn next(output: &mut BufReader<ChildStdout>) -> Option<Value> {
+    let mut length = 0;
+    loop {
+        let mut line = String::new();
+        if output.read_line(&mut line).ok()? == 0 {
+            return None;
+        }
+        match line.trim().split_once(": ") {
+            Some((name, value)) if name == "Content-Length" => length = value.parse().ok()?,
+            Some(_) => {}
+            None => break,
+        }
+    }
+    let mut body = vec![0; length];
+    output.read_exact(&mut body).ok()?;
+    serde_json::from_slice(&body).ok()
 }
 
 impl Client {
@@ -34,7 +58,14 @@ impl Client {
             .spawn()
             .expect("the server starts");
         let (input, output) = (server.stdin.take(), server.stdout.take().expect("a pipe"));
-        Client { server, input, output: BufReader::new(output), folder, number: 0, notes: VecDeque::new() }
+        let (sender, messages) = mpsc::channel();
+        let mut output = BufReader::new(output);
+        std::thread::spawn(move || {
+            let told = std::iter::from_fn(|| next(&mut output));
+            // Nobody listens any more when the test has ended.
+            told.map(|message| sender.send(message)).take_while(Result::is_ok).for_each(drop);
+        });
+        Client { server, input, messages, folder, number: 0, notes: VecDeque::new() }
     }
 
     /// A session after `initialize`.
@@ -71,12 +102,9 @@ impl Client {
     /// The next diagnostics of a file.
     pub fn diagnostics(&mut self, name: &str) -> Vec<Value> {
         let uri = self.uri(name);
-        loop {
-            let note = self.note("textDocument/publishDiagnostics");
-            if note["uri"] == *uri {
-                return note["diagnostics"].as_array().expect("a list").clone();
-            }
-        }
+        let mut told = self.note("textDocument/publishDiagnostics", &uri);
+        assert!(told["diagnostics"].is_array(), "{told}");
+        serde_json::from_value(told["diagnostics"].take()).expect("a list")
     }
 
     /// The result of a request about a place in a file.
@@ -136,34 +164,24 @@ impl Client {
         input.write_all(bytes).and_then(|()| input.flush()).expect("the server reads");
     }
 
-    fn note(&mut self, method: &str) -> Value {
-        if let Some(index) = self.notes.iter().position(|note| note["method"] == method) {
+    /// The parameters of the next notification of a method about a file; others wait.
+    fn note(&mut self, method: &str, uri: &str) -> Value {
+        let wanted = |note: &Value| note["method"] == method && note["params"]["uri"] == uri;
+        if let Some(index) = self.notes.iter().position(wanted) {
             return self.notes.remove(index).expect("it is there")["params"].take();
         }
         loop {
             let mut message = self.receive();
-            if message["method"] == method {
+            if wanted(&message) {
                 return message["params"].take();
             }
             self.notes.push_back(message);
         }
     }
 
-    /// The next message.
+    /// The next message; a server that is silent for long has failed.
     pub fn receive(&mut self) -> Value {
-        let mut length = 0;
-        loop {
-            let mut line = String::new();
-            assert!(self.output.read_line(&mut line).expect("a line") > 0, "the server has gone");
-            match line.trim().split_once(": ") {
-                Some((name, value)) if name == "Content-Length" => length = value.parse().expect("a number"),
-                Some(_) => {}
-                None => break,
-            }
-        }
-        let mut body = vec![0; length];
-        self.output.read_exact(&mut body).expect("a body");
-        serde_json::from_slice(&body).expect("JSON")
+        self.messages.recv_timeout(PATIENCE).expect("the server says something")
     }
 
     /// Ends the session: the exit code.

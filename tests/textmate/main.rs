@@ -158,7 +158,8 @@ fn put_words(grammar: &mut Value, part: &str, words: &BTreeSet<String>) {
 fn every_word_of_the_language_is_coloured() {
     let names = |names: Vec<&str>| names.into_iter().map(String::from).collect::<BTreeSet<String>>();
     let operations = ops::OPERATIONS.iter().flat_map(|o| o.spec.aliases.iter().copied().chain([o.spec.name]));
-    let functions = functions::all().filter(|f| !f.signature.is_empty()).map(|f| f.name);
+    // A function with an operation's name is coloured as that: a grammar does not know which is meant.
+    let functions = functions::all().filter(|f| !f.signature.is_empty() && ops::find(f.name).is_none()).map(|f| f.name);
     let attributes = functions::all().filter(|f| f.signature.is_empty()).map(|f| f.name);
     let parts = [
         ("operations", names(operations.collect())),
@@ -171,6 +172,9 @@ fn every_word_of_the_language_is_coloured() {
             let all = words(&grammar, part).union(wanted).cloned().collect();
             put_words(&mut grammar, part, &all);
         }
+        let selectors = names(ops::Selectors::words().chain(["remainder"]).collect());
+        let all = words(&grammar, "selectors").union(&selectors).cloned().collect();
+        put_words(&mut grammar, "selectors", &all);
         let text = serde_json::to_string_pretty(&grammar).expect("JSON") + "\n";
         std::fs::write(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(PATH), text).expect("the grammar");
     }

@@ -39,7 +39,7 @@ impl Engine<'_> {
         if application.ready.is_none() {
             self.arguments(application, turn, current, &mut values, &mut fields)?;
         }
-        let chosen = match &application.block {
+        let mut chosen = match &application.block {
             Block::Selectors(selectors) | Block::Perimeter { rest: selectors, .. } => {
                 let components = application.components(&mut values.clone(), &current.shape);
                 let components = components.map_err(|p| self.problem(application, p, turn))?;
@@ -54,6 +54,10 @@ impl Engine<'_> {
             Block::Perimeter { depths, .. } => self.depths(application, depths, &cuts, &values, turn, current)?,
             _ => Vec::new(),
         };
+        if let Block::Perimeter { depths, .. } = &application.block {
+            // What bands leave goes to the bodies behind theirs.
+            chosen.iter_mut().flatten().for_each(|choice| choice.entry += depths.len() as u16);
+        }
         let seed = current.shape.seed.child(current.count);
         current.count += 1;
         let operands = match &application.block {
@@ -238,6 +242,9 @@ impl Engine<'_> {
             let mut shape = part.shape;
             shape.seed = seed.child(index as u64);
             let Some(body) = application.bodies.get(part.entry as usize) else { continue };
+            if self.program.asks_for_selectors && matches!(application.block, Block::Selectors(_)) {
+                Arc::make_mut(&mut shape.style).selector = application.selector(part.entry);
+            }
             let current = Current::new(shape, self.branch(branch));
             let mark = self.mark();
             self.took(application, part.entry, index, total, turn);

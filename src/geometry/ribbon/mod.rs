@@ -121,7 +121,7 @@ impl Ribbon {
             let between = |i: &usize| self.starts[*i] > from.x.min(to.x) && self.starts[*i] < from.x.max(to.x);
             places.extend((0..self.points.len()).filter(between).filter_map(|i| self.crossing(i, a, b)));
         }
-        Bounds::of(places.into_iter())
+        Bounds::of(places)
     }
 
     /// The length of the offset curve so far across, between two places along; negative backwards.
