@@ -100,7 +100,7 @@ pub static PARTS: &[Part] = &[
     Part {
         title: "Mend outlines",
         about: "Corners, holes and edges as surveys bring them.",
-        names: &["cleanupGeometry", "rectify", "convexify", "deleteHoles", "resetGeometry", "reverseNormals"],
+        names: &["cleanupGeometry", "rectify", "convexify", "deleteHoles", "resetGeometry", "reverseNormals", "trim"],
     },
     Part {
         title: "Looks",

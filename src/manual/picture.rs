@@ -18,6 +18,9 @@ pub struct Sheet<'a> {
     pub layout: &'a str,
     /// Files that the rules may ask for, by path.
     pub files: &'a [(&'a str, &'a str)],
+    /// Whether every region begins with the first rule without parameters, whatever it is called; else with the rule
+    /// for its kind.
+    pub first_rule: bool,
     /// Pixels, width and height.
     pub pixels: [u32; 2],
     /// Metres of plan per metre of paper, at 110 dots to the inch; `None` takes the roundest that fits.
@@ -45,6 +48,7 @@ impl Sheet<'_> {
         Sheet {
             layout: LOT,
             files: &[("cover.geojson", WOOD)],
+            first_rule: true,
             pixels: [352, 276],
             scale: Some(550.0),
             extent: Some([-2.0, -2.0, 42.0, 32.0]),
@@ -53,10 +57,19 @@ impl Sheet<'_> {
         }
     }
 
-    /// A layout of its own on a larger sheet.
-    pub fn of(layout: &str) -> Sheet<'_> {
+    /// A part of a layout, metres, so large that it is 470 pixels wide, without a legend.
+    pub fn part<'a>(layout: &'a str, extent: [f64; 4]) -> Sheet<'a> {
+        let [width, height] = [extent[2] - extent[0], extent[3] - extent[1]];
+        let pixels = [470, (470.0 * height / width).round() as u32];
+        // 110 dots to the inch: 470 of them are 108 mm.
+        Sheet { first_rule: false, layout, pixels, scale: Some(width / 0.1085), extent: Some(extent), ..Sheet::small() }
+    }
+
+    /// A layout as one would pin it on the wall, with its legend.
+    pub fn whole(layout: &str) -> Sheet<'_> {
         let plain = Sheet::small();
-        Sheet { layout, pixels: [760, 560], scale: None, extent: None, colours: 64, ..plain }
+        let pixels = [1000, 720];
+        Sheet { first_rule: false, layout, pixels, scale: None, extent: None, colours: 64, legend: true, ..plain }
     }
 
     fn options(&self) -> PlanOptions {
@@ -73,8 +86,7 @@ impl Sheet<'_> {
     }
 }
 
-/// The plan of what rules make of a layout, as PNG: it begins with their start rule, or else with their first rule
-/// without parameters.
+/// The plan of what rules make of a layout, as PNG.
 ///
 /// The error is the first thing that is wrong with the rules, the layout or the derivation.
 pub fn draw(rules: &str, sheet: &Sheet) -> Result<Vec<u8>, String> {
@@ -83,11 +95,10 @@ pub fn draw(rules: &str, sheet: &Sheet) -> Result<Vec<u8>, String> {
     let (program, found) = check(&world, "example.cga");
     sound(&found)?;
     let first = program.rules.iter().find(|rule| rule.params == 0).ok_or("there is no rule to begin with")?;
-    let start = program.start.map_or(first, |start| &program.rules[start as usize]);
     let (layout, found) = read_geojson("layout.geojson", sheet.layout.as_bytes());
     sound(&found)?;
     let options = Options {
-        start: Some(program.symbols[start.symbol as usize].clone()),
+        start: sheet.first_rule.then(|| program.symbols[first.symbol as usize].clone()),
         seed: Seed(1),
         set: Vec::new(),
         catalogue: Catalogue::built_in(),

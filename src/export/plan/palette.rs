@@ -1,35 +1,43 @@
-//! A picture's pixels → the same in few colours: the most frequent ones, after near ones have been put together.
+//! A picture's pixels → the same in few colours: near ones are put together, and the most frequent stay.
 //!
 //! What is equally frequent is taken in the order of the colours, so that equal pictures stay equal.
 
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 /// How near colours are put together, in 1/255 of a channel: less is not seen.
-const STEP: i32 = 8;
+const STEP: u8 = 8;
+
+type Colour = [u8; 3];
 
 /// Replaces each pixel (three bytes) by the nearest of `most` colours. Cost: colours times `most`, and the pixels.
 pub fn reduce(rgb: &mut [u8], most: usize) {
-    let mut counts: BTreeMap<[u8; 3], usize> = BTreeMap::new();
-    rgb.as_chunks::<3>().0.iter().for_each(|pixel| *counts.entry(rounded(*pixel)).or_default() += 1);
+    let mut counts: BTreeMap<Colour, usize> = BTreeMap::new();
+    rgb.as_chunks::<3>().0.iter().for_each(|pixel| *counts.entry(*pixel).or_default() += 1);
     let palette = frequent(&counts, most);
-    let nearest: BTreeMap<[u8; 3], [u8; 3]> = counts.keys().map(|colour| (*colour, near(&palette, *colour))).collect();
+    let nearest: BTreeMap<Colour, Colour> = counts.into_keys().map(|colour| (colour, near(&palette, colour))).collect();
     for pixel in rgb.as_chunks_mut::<3>().0 {
-        *pixel = nearest.get(&rounded(*pixel)).copied().unwrap_or(*pixel);
+        *pixel = nearest.get(pixel).copied().unwrap_or(*pixel);
     }
 }
 
-fn frequent(counts: &BTreeMap<[u8; 3], usize>, most: usize) -> Vec<[u8; 3]> {
-    let mut colours: Vec<([u8; 3], usize)> = counts.iter().map(|(colour, count)| (*colour, *count)).collect();
-    colours.sort_by_key(|(colour, count)| (std::cmp::Reverse(*count), *colour));
-    colours.into_iter().take(most).map(|(colour, _)| colour).collect()
+/// The most frequent colours; of those that are near each other, the one that stands for them.
+fn frequent(counts: &BTreeMap<Colour, usize>, most: usize) -> Vec<Colour> {
+    let mut groups: BTreeMap<Colour, (usize, usize, Colour)> = BTreeMap::new();
+    for (colour, count) in counts {
+        let (sum, best, stands) = groups.entry(colour.map(|channel| channel / STEP)).or_insert((0, 0, *colour));
+        *sum += count;
+        if count > best {
+            (*best, *stands) = (*count, *colour);
+        }
+    }
+    let mut colours: Vec<(usize, usize, Colour)> = groups.into_values().collect();
+    colours.sort_by_key(|(sum, _, colour)| (Reverse(*sum), *colour));
+    colours.into_iter().take(most).map(|(_, _, colour)| colour).collect()
 }
 
-fn near(palette: &[[u8; 3]], colour: [u8; 3]) -> [u8; 3] {
+fn near(palette: &[Colour], colour: Colour) -> Colour {
     let distance =
-        |other: &[u8; 3]| -> i32 { (0..3).map(|i| (i32::from(other[i]) - i32::from(colour[i])).pow(2)).sum() };
+        |other: &Colour| -> i32 { colour.iter().zip(other).map(|(a, b)| (i32::from(*a) - i32::from(*b)).pow(2)).sum() };
     palette.iter().copied().min_by_key(distance).unwrap_or(colour)
-}
-
-fn rounded(pixel: [u8; 3]) -> [u8; 3] {
-    pixel.map(|channel| ((i32::from(channel) + STEP / 2) / STEP * STEP).min(255) as u8)
 }
