@@ -23,9 +23,10 @@ impl Checker {
     pub(super) fn unit(&mut self, param: &Param, found: f64, span: Span) {
         let (name, shown) = (param.name, number(found, 4));
         let (message, hint) = match inner(param.kind) {
-            ParamKind::Metres | ParamKind::PerEdge | ParamKind::OnEdges if found.abs() >= LONGEST => {
-                (format!("`{name}` is {shown} metres"), format!("{shown} mm are `{}`", number(found / 1000.0, 4)))
-            }
+            ParamKind::Metres | ParamKind::PerEdge | ParamKind::OnEdges if found.abs() >= LONGEST => (
+                format!("`{name}` is {shown} metres"),
+                format!("lengths are metres: {shown} mm are `{}`", number(found / 1000.0, 4)),
+            ),
             ParamKind::Degrees if found.abs() < HALF_TURN && found.fract() != 0.0 => {
                 let degrees = number(found.to_degrees(), 1);
                 (format!("`{name}` is {shown} degrees"), format!("{shown} in radians are `{degrees}` degrees"))
@@ -65,7 +66,10 @@ impl Checker {
                 found.extend(word(1).and_then(palette).map(|(message, near)| (message, near, at(1))));
             }
             "i" => found.extend(word(0).and_then(element).map(|(message, near)| (message, near, at(0)))),
-            "I" => found.extend(word(0).and_then(|name| variant(name, word(1)?)).map(|(m, near)| (m, near, at(1)))),
+            "I" => {
+                found.extend(word(0).and_then(element).map(|(message, near)| (message, near, at(0))));
+                found.extend(word(0).and_then(|name| variant(name, word(1)?)).map(|(m, near)| (m, near, at(1))));
+            }
             "set" if word(0) == Some("material.name") => {
                 found.extend(word(1).and_then(cover).map(|(message, near)| (message, near, at(1))));
             }
@@ -116,7 +120,6 @@ fn variant(name: &str, kind: &str) -> Option<(String, String)> {
         Err(error @ NotFound::Variant { suggestion: Some(_), .. }) => {
             Some((error.to_string(), error.suggestion().unwrap_or_default().to_string()))
         }
-        Err(NotFound::Element { .. }) => element(name),
         _ => None,
     }
 }

@@ -209,7 +209,8 @@ impl Checker {
             (BlockKind::None, None) => Block::None,
             (BlockKind::None, Some(block)) => {
                 let message = format!("`{}` takes no block", operation.spec.name);
-                self.tell(Diagnostic::error("block", block.span, message));
+                let hint = format!("what comes next stands behind it, without braces: `{} A`", operation.spec.usage());
+                self.tell(Diagnostic::error("block", block.span, message).hint(hint));
                 Block::None
             }
             (_, None) => {

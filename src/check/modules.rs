@@ -260,7 +260,9 @@ impl Loaded {
         if let Some(at) = chain.iter().position(|f| *f == file) {
             let names: Vec<&str> =
                 chain[at..].iter().chain([&file]).map(|f| self.files[*f as usize].0.path()).collect();
-            self.error("import-cycle", span, format!("the imports go in a circle: {}", names.join(" → ")));
+            let message = format!("the imports go in a circle: {}", names.join(" → "));
+            let hint = "what both files need goes into a third that both import";
+            self.diagnostics.push(Diagnostic::error("import-cycle", span, message).hint(hint));
             return None;
         }
         if self.modules.len() >= MOST_IMPORTS {

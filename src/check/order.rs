@@ -24,7 +24,10 @@ impl Checker {
                 [_] => {
                     format!("a rule changes it with `set({0}, {0} + 1)`; here it needs a first value", attribute.name)
                 }
-                _ => format!("{}: one of them needs a value of its own", names.join(" needs ")),
+                _ => format!(
+                    "{}: one of them needs a value of its own",
+                    names.join(", which needs ").replacen(", which", "", 1)
+                ),
             };
             self.diagnostics.push(Diagnostic::error("attribute-cycle", attribute.span, message).hint(hint));
         }
