@@ -81,6 +81,17 @@ fn word(expr: &Expr) -> Option<Arc<str>> {
     }
 }
 
+/// What the annotations of an attribute allow.
+fn allowed(attribute: &Attribute) -> String {
+    match attribute.range {
+        Some((low, high)) => format!("`@Range` allows {low} to {high}"),
+        None => {
+            let words: Vec<String> = attribute.choices.iter().map(|choice| format!("`{choice}`")).collect();
+            format!("`@Enum` allows {}", words.join(", "))
+        }
+    }
+}
+
 impl Checker {
     /// `@StartRule` and `@Zone` of the main file's rules, and initial values outside their ranges.
     pub(super) fn annotations(&mut self, rules: &[Written]) {
@@ -136,6 +147,13 @@ impl Checker {
     fn ranges(&mut self) {
         let mut lints = Vec::new();
         for attribute in &self.program.attributes {
+            if let Some((low, high)) = attribute.range.filter(|(low, high)| low > high) {
+                let message =
+                    format!("the range of `{}` runs from {low} to {high}: no number is in it", attribute.name);
+                let hint = format!("as in `@Range(min = {high}, max = {low})`");
+                lints.push(Diagnostic::lint("range", attribute.span, message).hint(hint));
+                continue;
+            }
             let Code::Value(value) = &attribute.initial else { continue };
             let outside = match (value.as_float(), attribute.range) {
                 (Some(number), Some((low, high))) => number < low || number > high,
@@ -145,7 +163,7 @@ impl Checker {
             if outside || (stranger && attribute.kind == Kind::Text) {
                 let message =
                     format!("`{}` begins with `{value}`, which its annotation does not allow", attribute.name);
-                lints.push(Diagnostic::lint("range", attribute.span, message));
+                lints.push(Diagnostic::lint("range", attribute.span, message).hint(allowed(attribute)));
             }
         }
         self.diagnostics.extend(lints);

@@ -111,7 +111,10 @@ impl Checker {
         }
         if name.contains('.') && !call.leaf && !self.leads_into_import(name) {
             let message = format!("there is no rule `{name}`");
-            self.tell(Diagnostic::error("unknown-name", span, message).did_you_mean(near.as_deref()));
+            let hint = crate::functions::find(name)
+                .map(|_| format!("it is a value and no step: `print({name})` shows it, arguments and `set` use it"));
+            let error = Diagnostic::error("unknown-name", span, message).did_you_mean(near.as_deref());
+            self.tell(hint.into_iter().fold(error, Diagnostic::hint));
             return None;
         }
         if !call.args.is_empty() && near.is_some() {
@@ -194,6 +197,7 @@ impl Checker {
 
     fn operation(&mut self, operation: &'static Operation, call: &Call) -> Step {
         let (args, arg_spans) = self.arguments(operation.spec, &call.args, call.span);
+        self.elements(operation.spec, &args, &arg_spans);
         self.program.looks_around |= operation.looks_around;
         self.unseen(operation, call);
         if operation.labels {
@@ -300,6 +304,7 @@ impl Checker {
                 Some(if block.repeat { Cut::Repeat(cuts) } else { Cut::Group(cuts) })
             }
             (Content::Body(body), Some(head)) => {
+                self.part_size(&head.key);
                 let size = self.size(&head.key);
                 let body = self.body(body);
                 bodies.push(body);
@@ -356,7 +361,10 @@ impl Checker {
             ExprKind::Call(word, None) if !self.is_own_name(word) && crate::functions::find(word).is_none() => {
                 let near = nearest(word, Selectors::words().chain(extra.iter().copied()));
                 let message = format!("there is no selector `{word}`");
-                self.tell(Diagnostic::error("selector", key.span, message).did_you_mean(near));
+                let rest = "only setbacks and their like leave a remainder; `all` takes what no entry before it took";
+                let hint = Some(rest).filter(|_| &**word == "remainder");
+                let error = Diagnostic::error("selector", key.span, message).did_you_mean(near);
+                self.tell(hint.into_iter().fold(error, Diagnostic::hint));
                 None
             }
             ExprKind::Number(_) | ExprKind::Unary(ast::UnaryOp::Minus, _) => Some(Test::Index(self.number(key))),

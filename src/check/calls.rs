@@ -1,7 +1,7 @@
 //! Names in expressions, and arguments put in the order of the parameters.
 
-use crate::check::Checker;
 use crate::check::code::{Code, Kind};
+use crate::check::{Checker, advice};
 use crate::diag::{Diagnostic, Span};
 use crate::functions;
 use crate::ops::{Param, ParamKind, Spec, UNBUILT_FUNCTIONS};
@@ -232,6 +232,13 @@ impl Checker {
 
     fn argument(&mut self, spec: &Spec, position: usize, value: &Expr) -> Code {
         let param = &spec.params[position];
+        // A word of another parameter stands for itself, so that what is said is about the order.
+        let stray = match &value.kind {
+            ExprKind::Call(name, None) if !param.kind.takes_words() && functions::find(name).is_none() => {
+                advice::elsewhere(spec, name)
+            }
+            _ => None,
+        };
         let code = match (&value.kind, param.kind) {
             (ExprKind::Call(name, None), ParamKind::Choice(words)) if words.contains(&&**name) => {
                 Code::Value(Value::Word(name.clone()))
@@ -247,6 +254,9 @@ impl Checker {
                 }
                 Code::Value(Value::Word(name.clone()))
             }
+            (ExprKind::Call(name, None), _) if !self.is_own_name(name) && stray.is_some() => {
+                Code::Value(Value::Word(name.clone()))
+            }
             _ => self.value(value).0,
         };
         if let Some(known) =
@@ -258,7 +268,10 @@ impl Checker {
                 ParamKind::Choice(words) => known.as_str().and_then(|w| nearest(w, words.iter().copied())),
                 _ => None,
             };
-            self.tell(Diagnostic::error("arguments", value.span, message).did_you_mean(near));
+            let order = stray.map(|other| format!("it is a word of `{other}`: {}", usage(spec)));
+            let hints = order.into_iter().chain(advice::unquoted(param.kind, known));
+            let error = Diagnostic::error("arguments", value.span, message).did_you_mean(near);
+            self.tell(hints.fold(error, Diagnostic::hint));
         }
         self.usual(param, &code, value.span);
         code
@@ -266,7 +279,8 @@ impl Checker {
 
     /// A number beyond what is usual works, but may be a slip.
     fn usual(&mut self, param: &Param, code: &Code, span: Span) {
-        let Some(([low, high], number)) = param.usual.zip(code.known().and_then(Value::as_float)) else { return };
+        let Some(number) = code.known().and_then(Value::as_float) else { return };
+        let Some([low, high]) = param.usual else { return self.unit(param, number, span) };
         if (low..=high).contains(&number) || !param.kind.accepts(&Value::Float(number)) {
             return;
         }
@@ -274,7 +288,8 @@ impl Checker {
         if low == 0.0 && high == 1.0 || low >= 0.0 && number < 0.0 {
             let allowed = if high == 1.0 { "a share from 0 to 1" } else { "a number from 0 up" };
             let message = format!("`{}` must be {allowed}, not {}", param.name, crate::text::number(number, 4));
-            return self.tell(Diagnostic::error("arguments", span, message));
+            let hint = advice::percent(number).filter(|_| high == 1.0);
+            return self.tell(hint.into_iter().fold(Diagnostic::error("arguments", span, message), Diagnostic::hint));
         }
         let [low, high, found] = [low, high, number].map(|n| crate::text::number(n, 4));
         let message = format!("`{}` is {found}, beyond the usual {low} to {high}", param.name);
@@ -303,7 +318,7 @@ impl Checker {
         let near = nearest(name, self.loaded.modules[module].slots.keys().map(|k| &**k).chain(settable));
         let message = format!("there is no attribute `{name}` that can be set");
         let diagnostic = Diagnostic::error("unknown-name", span, message).did_you_mean(near);
-        self.tell(diagnostic);
+        self.tell(diagnostic.hint(format!("`attr {name} = …` at the top of the file makes one")));
         Code::Value(Value::Word(name.clone()))
     }
 

@@ -155,12 +155,22 @@ impl Checker {
     }
 
     /// Percentages that are written as numbers must not exceed 100 together.
+    /// `0.8%`, where 80 in a hundred were meant.
+    fn tiny(&mut self, percent: f64, span: Span) {
+        if percent > 0.0 && percent < 1.0 {
+            let [found, meant] = [percent, 100.0 * percent].map(|n| crate::text::number(n, 4));
+            let message = format!("`{found}%` is less than one in a hundred");
+            self.tell(Diagnostic::lint("usual", span, message).hint(format!("a share of {found} is `{meant}%`")));
+        }
+    }
+
     pub(super) fn percentages<'a>(&mut self, percents: impl Iterator<Item = &'a Expr>) {
         let mut sum = 0.0;
         let mut place: Option<Span> = None;
         for percent in percents {
             place = Some(place.map_or(percent.span, |p| p.to(percent.span)));
             if let ExprKind::Number(number) = percent.kind {
+                self.tiny(number, percent.span);
                 sum += number;
             }
         }

@@ -1,6 +1,7 @@
 //! Rule files → program: names, arguments, kinds of values, imports and lints. Never fails, never stops at the first:
 //! what is wrong is reported, and what passes fails later only for geometry.
 
+mod advice;
 mod annotations;
 mod arrays;
 mod bodies;

@@ -12,20 +12,31 @@ impl Checker {
         let all: Vec<(u32, &Code)> =
             self.program.attributes.iter().enumerate().map(|(slot, a)| (slot as u32, &a.initial)).collect();
         let (order, circles) = ordered(&self.program, &all);
-        for slot in circles {
+        for (slot, way) in circles {
             let attribute = &self.program.attributes[slot as usize];
             let message = format!("the value of `{}` needs itself", attribute.name);
-            self.diagnostics.push(Diagnostic::error("attribute-cycle", attribute.span, message));
+            let names: Vec<String> = way
+                .iter()
+                .chain([&slot])
+                .map(|slot| format!("`{}`", self.program.attributes[*slot as usize].name))
+                .collect();
+            let hint = match way.as_slice() {
+                [_] => {
+                    format!("a rule changes it with `set({0}, {0} + 1)`; here it needs a first value", attribute.name)
+                }
+                _ => format!("{}: one of them needs a value of its own", names.join(" needs ")),
+            };
+            self.diagnostics.push(Diagnostic::error("attribute-cycle", attribute.span, message).hint(hint));
         }
         self.program.order = order;
     }
 }
 
-/// Slots in the order in which their expressions need each other, and those in circles. Others that they need count as
+/// Slots in the order in which their expressions need each other, and those in circles, each with the way round. Others that they need count as
 /// given.
-pub(super) fn ordered(program: &Program, all: &[(u32, &Code)]) -> (Vec<u32>, BTreeSet<u32>) {
+pub(super) fn ordered(program: &Program, all: &[(u32, &Code)]) -> (Vec<u32>, BTreeMap<u32, Vec<u32>>) {
     let states = all.iter().map(|(slot, code)| (*slot, (State::New, *code))).collect();
-    let mut visit = Visit { states, circles: BTreeSet::new(), order: Vec::with_capacity(all.len()) };
+    let mut visit = Visit { states, circles: BTreeMap::new(), order: Vec::with_capacity(all.len()) };
     all.iter().for_each(|(slot, _)| visit.from(program, *slot));
     (visit.order, visit.circles)
 }
@@ -33,7 +44,7 @@ pub(super) fn ordered(program: &Program, all: &[(u32, &Code)]) -> (Vec<u32>, BTr
 /// Depth-first over what attributes need, without recursion: chains may be as long as files.
 struct Visit<'a> {
     states: BTreeMap<u32, (State, &'a Code)>,
-    circles: BTreeSet<u32>,
+    circles: BTreeMap<u32, Vec<u32>>,
     order: Vec<u32>,
 }
 
@@ -59,7 +70,10 @@ impl Visit<'_> {
             match open.pop() {
                 Some(needed) => match self.states.get(&needed).map(|(state, _)| *state) {
                     Some(State::New) => next = Some(needed),
-                    Some(State::Open) => drop(self.circles.insert(needed)),
+                    Some(State::Open) => {
+                        let round = path.iter().map(|(slot, _)| *slot).skip_while(|slot| *slot != needed);
+                        self.circles.entry(needed).or_insert_with(|| round.collect());
+                    }
                     Some(State::Done) | None => {}
                 },
                 None => {

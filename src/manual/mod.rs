@@ -3,9 +3,11 @@
 //! Nothing is said here that a declaration does not say; a page is its operation's text, its parameters as a table, and
 //! what the example gives on a lot of 40 by 30 metres. Pages are Markdown, pictures PNG, both the same at every run.
 
+mod chapters;
 mod page;
 mod picture;
 
+pub use chapters::{PARTS, Part, others, part_of};
 pub use picture::{Sheet, draw};
 
 use crate::ops::{OPERATIONS, Spec};

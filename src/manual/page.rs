@@ -2,8 +2,9 @@
 
 use crate::element::{Catalogue, Words};
 use crate::functions;
+use crate::manual::chapters::{OTHERS, PARTS, others};
 use crate::manual::{page_path, picture_path};
-use crate::ops::{OPERATIONS, Origin, Param, Selectors, Spec};
+use crate::ops::{Origin, Param, Selectors, Spec};
 
 /// What stands at the head of every page.
 const MADE: &str = "<!-- Made by `bosquet manual` from the declarations in src/: edit them, not this page. -->\n\n";
@@ -44,10 +45,19 @@ pub fn contents() -> String {
              file to a planted square. Here stands every word that is built in.\n\n";
     text += "- [functions and shape attributes](functions.md)\n- [selectors](selectors.md)\n\
              - [ground covers](covers.md)\n- [plants and things](elements.md)\n\n## Operations\n\n";
-    for spec in OPERATIONS.iter().map(|o| o.spec) {
-        text += &format!("- [`{}`]({}): {}\n", spec.name, page_path(spec), first_sentence(spec.docs));
+    for part in PARTS {
+        text += &format!("### {}\n\n{}\n\n", part.title, part.about);
+        text += &part.operations().map(entry).collect::<String>();
+        text += "\n";
     }
+    text += &format!("### {OTHERS}\n\nTexture coordinates and meshes: scenes carry them, plans do not show them.\n\n");
+    text += &others().map(entry).collect::<String>();
     text
+}
+
+/// A line of the contents.
+fn entry(spec: &Spec) -> String {
+    format!("- [`{}`]({}): {}\n", spec.name, page_path(spec), first_sentence(spec.docs))
 }
 
 /// Every function with what it takes and gives.

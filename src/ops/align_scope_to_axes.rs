@@ -14,7 +14,9 @@ operation! {
     /// `y` levels the scope: its y points up, its x stays as near as it can. `world.xyz` takes the world's axes,
     /// `object.xyz` those of the initial shape; a single letter after the dot turns only that axis.
     /// ```cga
-    /// Roof --> comp(f) { top : alignScopeToAxes(y) Garden }
+    /// Lot  --> s(28, 0, 18) center(xz) r(scopeCenter, 0, 25, 0) Both
+    /// Both --> split(x) { ~1 : Half | 1 : NIL | ~1 : alignScopeToAxes(world.xyz) Half }
+    /// Half --> split(z) { ~3 : Lawn | 1 : Gravel }*
     /// ```
     "alignScopeToAxes" (CityEngine, None) => pub struct AlignScopeToAxes {
         /// Which axes.

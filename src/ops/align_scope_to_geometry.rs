@@ -14,7 +14,8 @@ operation! {
     /// x runs along the edge, y or z along the face's normal. Faces and edges have a number, from the end where it is
     /// negative, or are chosen: the lowest, the largest face, the longest edge, any. A single choice is the edge's.
     /// ```cga
-    /// Lot --> split(x) { ~1 : alignScopeToGeometry(yUp, 0, 1) split(x) { 6 : Meadow | ~1 : Lawn } | ~1 : Gravel }
+    /// Lot --> split(x) { ~1 : alignScopeToGeometry(yUp, 0, 1) Beds | 2 : Gravel | ~1 : Beds }
+    /// Beds --> split(x) { 3 : Bed | ~1 : Lawn }
     /// ```
     "alignScopeToGeometry" (CityEngine, None) => pub struct AlignScopeToGeometry {
         /// The axis along the face's normal.

@@ -16,8 +16,7 @@ strategy! {
     /// The points of each run between two corners are equally far apart. x runs along the line, and `place.cluster`
     /// says which run. `comp(e) { front : along(8) { Tree } }` takes one edge of a lot.
     /// ```cga
-    /// Square --> along(spacing = 7, inset = 3, corner = 5) { Tree }
-    /// Verge  --> along(spacing = 9, inset = 2, on = "street") { Tree }
+    /// Square --> [ along(spacing = 6, inset = 3.5, corner = 3.5) { plant("plane") } ] setback(7) { all = Gravel | remainder : Lawn }
     /// ```
     "along" => pub struct AlongLines {
         /// From point to point along the line, metres.

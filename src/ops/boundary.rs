@@ -14,7 +14,7 @@ strategy! {
     /// Niese et al. 2022, §5.2: boundary (B). The band is measured by true distance, so it is as wide at corners as
     /// elsewhere.
     /// ```cga
-    /// Lot --> boundary(width = 4, radius = 3.1, density = 0.8) { Tree }
+    /// Lot --> boundary(width = 5, radius = 2.2, radius_sd = 0.4, density = 0.9) { plant("hornbeam") } Lawn
     /// ```
     "boundary" => pub struct Boundary {
         /// Width of the band from the edge inwards (β), metres.

@@ -9,7 +9,7 @@ operation! {
     /// Moves the shape so that the middle of its scope is the middle of the scope that the rule, bracket or part
     /// began with, along the given axes.
     /// ```cga
-    /// Square --> s(6, 0, 6) center(xz) Basin
+    /// Lot --> [ Lawn ] [ s('1, 0, 6) center(z) Gravel ] s(12, 0, 12) center(xz) primitiveDisk(48) Water
     /// ```
     "center" (CityEngine, None) => pub struct Center {
         /// Along which axes.

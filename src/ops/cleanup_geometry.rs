@@ -15,7 +15,8 @@ operation! {
     /// vertices within 1 m, bends up to 10°, faces up to 1 m²; at 0 only what is equal. Faces stay flat, so those that
     /// make no flat face together stay apart. What vanishes wholly is deleted.
     /// ```cga
-    /// Lot --> offset(-4) cleanupGeometry(all, 0.01) Lawn
+    /// Lot --> [ Lawn ] split(x) { ~1 : Basin(0.01) | ~1 : Basin(1) }
+    /// Basin(near) --> s(7, 0, 7) center(xz) primitiveDisk(64) cleanupGeometry(all, near) Water
     /// ```
     "cleanupGeometry" (CityEngine, None) => pub struct CleanupGeometry {
         /// What is cleaned up.

@@ -14,7 +14,7 @@ strategy! {
     /// Niese et al. 2022, §5.2: cluster (C). The centres lie anywhere where a plant may stand; a cluster is cut off
     /// at the edge of the shape. `place.cluster` says which.
     /// ```cga
-    /// Park --> cluster(cluster_radius = 10, clusters = 3, radius = 3.1) { Tree }
+    /// Park --> cluster(cluster_radius = 6, clusters = 4, radius = 1.6) { plant("birch") } Meadow
     /// ```
     "cluster" => pub struct Cluster {
         /// Radius of a cluster (κ), metres.

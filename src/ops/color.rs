@@ -10,7 +10,8 @@ use std::sync::Arc;
 operation! {
     /// Sets the colour: `"#rrggbb"`, `"#rrggbboo"` with an opacity, or red, green, blue and opacity from 0 to 1.
     /// ```cga
-    /// Lawn --> color("#9bb86b") Grass.
+    /// Lot --> split(x) { ~1 : Strip("#d98c8c") | ~1 : Strip("#e8c66a") | ~1 : Strip("#8fb3d9") }
+    /// Strip(colour) --> color(colour) Tulips.
     /// ```
     "color" (CityEngine, None) => pub struct Color {
         /// A text `"#rrggbb"`, or red, 0 to 1.

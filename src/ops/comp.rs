@@ -28,7 +28,9 @@ operation! {
     ///
     /// The papers write `Comp(e) { B }` (Ulmer et al. 2007, §2.1).
     /// ```cga
-    /// Hedge --> extrude(1.5) comp(f) { top : Clipped | side = Leaves }
+    /// Lot   --> setback(5) { all = Gravel | remainder : Green }
+    /// Green --> [ comp(e) { left : Row | right : Row | all : NIL } ] [ comp(v) { all : i("urn") } ] comp(f) { all : Lawn }
+    /// Row   --> along(spacing = 5) { plant("lime") } NIL
     /// ```
     "comp" (CityEngine, Selectors(&[])) => pub struct Comp {
         /// What to take the shape apart into: faces, edges, edges of each face, vertices …

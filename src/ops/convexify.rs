@@ -12,7 +12,7 @@ operation! {
     /// The shape stays one, of several faces: `comp(f)` takes them. Cuts prolong edges at inner corners, the shortest
     /// first, so an L becomes two rectangles.
     /// ```cga
-    /// Lot --> shapeL(12, 10) { shape : convexify() comp(f) { 0 : Gravel | all : Lawn } | remainder : Meadow }
+    /// Lot --> shapeL(12, 10) { shape : convexify() comp(f) { 0 : Bed | all : Lawn } | remainder : Gravel }
     /// ```
     "convexify" (CityEngine, None) => pub struct Convexify {
         /// How long a cut may be (metres); where a longer one is needed the part stays concave.

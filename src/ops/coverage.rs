@@ -20,7 +20,8 @@ operation! {
     /// After `cover :` stands what becomes of each patch, after `cover =` of all patches in one shape; `remainder`
     /// takes what is left, in one. The parts sum to the whole. (Niese et al. 2022, §6.1; drawn polygons: §7.1.)
     /// ```cga
-    /// Lot --> coverage("cover.png") { cover = Wood | remainder : Lawn }
+    /// Lot --> coverage("cover.geojson") { cover = Wood | remainder : Lawn }
+    /// Wood --> semirandom(radius = 2) { plant("beech") } Undergrowth
     /// ```
     "coverage" (Added, Selectors(&["cover", "remainder"])) => pub struct Coverage {
         /// The map: a `.png`, `.tif` or `.geojson` file.

@@ -12,7 +12,7 @@ operation! {
     /// What stands in a hole of a flat shape is swallowed. The walls of a solid's holes stay, so a prism loses its shafts
     /// wholly and another solid is open there.
     /// ```cga
-    /// Lot --> offset(-6, border) deleteHoles() Lawn
+    /// Lot --> split(x) { ~1 : offset(-5, border) Bed | 2 : Gravel | ~1 : offset(-5, border) deleteHoles() Bed }
     /// ```
     "deleteHoles" (CityEngine, None) => pub struct DeleteHoles {}
 }

@@ -12,7 +12,7 @@ operation! {
     /// Ulmer et al. 2007, §2.2. Each child is a point; `place.index` and `place.total` count them. The shape itself
     /// stays: `NIL` after the block removes it.
     /// ```cga
-    /// Grove --> Distr(0.02, 0) { Tree }
+    /// Grove --> Distr(0.02, 0) { I(birch, medium, rand(7)) } Meadow
     /// ```
     "Distr" (Added, Body) => pub struct Distr {
         /// Points per square metre: the number is the area times this, rounded.

@@ -15,7 +15,8 @@ strategy! {
     /// Niese et al. 2022, §5.2: equidistant (E). The axis is what is farthest from the edges: the middle line of a
     /// strip, a loop around a hole. x runs along it, and `place.cluster` says which branch.
     /// ```cga
-    /// Median --> equidistant(spacing = 8) { Tree }
+    /// Lot    --> split(z) { ~1 : Lawn | 9 : Median | ~1 : Lawn }
+    /// Median --> equidistant(spacing = 8) { plant("plane") } Gravel
     /// ```
     "equidistant" => pub struct Equidistant {
         /// From point to point along the axis (δ), metres.

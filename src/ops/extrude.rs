@@ -14,7 +14,8 @@ operation! {
     ///
     /// Its faces are tagged `extrude.top`, `extrude.bottom` and `extrude.side` where rules ask for tags. The scope grows with it. A negative height sweeps the other way; 0 leaves the shape as it is.
     /// ```cga
-    /// Hedge --> extrude(1.8) Yew.
+    /// Lot    --> setback(3) { front : NIL | all = Clip | remainder : Lawn }
+    /// Clip   --> set(material.name, "hedge") extrude(1.8) Yew.
     /// ```
     "extrude" (CityEngine, None) => pub struct Extrude {
         /// Which way.

@@ -12,7 +12,8 @@ operation! {
     /// Overlapping parts become one. An inserted element leaves the rectangle of its scope. What covers nothing, as an
     /// upright face, is deleted.
     /// ```cga
-    /// Lot --> s(20, 8, 20) center(xz) primitiveCone(24) footprint() Gravel
+    /// Lot  --> [ s(24, 8, 24) center(xz) primitiveCone(24) footprint() label("foot") Water ] Rest
+    /// Rest --> without("foot") Lawn
     /// ```
     "footprint" (CityEngine, None) => pub struct Footprint {}
 }

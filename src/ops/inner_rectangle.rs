@@ -16,8 +16,8 @@ operation! {
     /// longest of its outline or hole. `shape` takes the rectangle, `remainder` what is around it. It is exact in
     /// convex shapes and to a millimetre in others; no side of it can be moved outwards.
     /// ```cga
-    /// Lot  --> shapeL(12, 15) { shape : Wing | remainder : Gravel }
-    /// Wing --> innerRectangle(scope) { shape : Lawn | remainder : Meadow }
+    /// Lot   --> s(36, 0, 28) center(xz) primitiveDisk(48) Round
+    /// Round --> innerRectangle(scope) { shape : Lawn | remainder : Bed }
     /// ```
     "innerRectangle" (CityEngine, Selectors(&["shape", "remainder"])) => pub struct InnerRectangle {
         /// What its sides run along.
@@ -30,7 +30,7 @@ operation! {
     ///
     /// Older rules write it; `innerRectangle` keeps the rest as well. Where nothing fits the shape is deleted.
     /// ```cga
-    /// Lot --> primitiveDisk(32) innerRect Lawn
+    /// Lot --> shapeL(16, 14) { shape : Meadow innerRect Lawn | remainder : Gravel }
     /// ```
     "innerRect" (CityEngine, None) => pub struct InnerRect {}
 }

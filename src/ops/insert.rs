@@ -14,7 +14,8 @@ operation! {
     /// Where the scope has no size the element has its own; where it has one, the element fills it: a size of 0
     /// along two axes scales evenly from the third. The papers write `I("id")`.
     /// ```cga
-    /// Seat --> i("bench")
+    /// Lot   --> setback(8) { all = Gravel | remainder : [ s(6, 0, 6) center(xz) i("fountain") ] Court }
+    /// Court --> [ split(x) { { ~6 : s(3, 1, 1) i("bench") }* } ] Lawn
     /// ```
     "i" (CityEngine, None) => pub struct Insert {
         /// The element's id, name or model.

@@ -16,7 +16,7 @@ operation! {
     /// Plans show a body of the shape's own outline in the element's colour; scenes also carry the element's name, as
     /// `material.alongUV`, beside the texture coordinates along which it is bent.
     /// ```cga
-    /// Lot --> split(v, unitSpace, 0) { 1 : insertAlongUV(0, "bench", 0.5) Seats. | ~1 : Lawn }
+    /// Lot --> split(v, unitSpace, 0) { 2 : insertAlongUV(0, "bench", 0.5) Seats. | ~1 : Lawn }
     /// ```
     "insertAlongUV" (CityEngine, None) => pub struct InsertAlongUv {
         /// The set of texture coordinates, 0 to 9.

@@ -13,7 +13,8 @@ operation! {
     /// each, so `rand(7)` chooses one of the first seven. Plants stand with their own size about the middle of the
     /// scope; other elements fill a scope that has a size.
     /// ```cga
-    /// Tree --> I(birch, adult, rand(7))
+    /// Lot --> split(x) { ~1 : Row("young") | ~1 : Row("medium") | ~1 : Row("adult") }
+    /// Row(type) --> [ split(z) { { ~10 : center(xz) I(birch, type, rand(7)) }* } ] Lawn
     /// ```
     "I" (Added, None) => pub struct Instance {
         /// What: a category, a species, an id.

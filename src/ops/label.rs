@@ -8,8 +8,8 @@ use std::sync::Arc;
 operation! {
     /// From here on `inside`, `overlaps` and `touches` find the shape, as it is now, under this name.
     /// ```cga
-    /// Centre --> label("open") Gravel
-    /// Tree   --> case inside(intra, "open") : NIL else : I(lime, adult, rand(5))
+    /// Lot  --> [ s(16, 0, 16) center(xz) primitiveDisk(48) label("open") Gravel ] Rest
+    /// Rest --> semirandom(radius = 2.5, avoid = "open") { plant("lime") } without("open") Lawn
     /// ```
     "label" (CityEngine, None) => pub struct Label {
         /// The name.

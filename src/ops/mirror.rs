@@ -12,8 +12,8 @@ operation! {
     ///
     /// The scope stays where it is, and faces still look outwards; a flat shape stays as it is along its normal.
     /// ```cga
-    /// Lot  --> split(x) { ~1 : Half(false) | ~1 : Half(true) }
-    /// Half(turned) --> shapeL(12, 5) { shape : mirror(turned, false, false) Gravel | remainder : NIL }
+    /// Lot --> split(x) { ~1 : Half(false) | ~1 : Half(true) }
+    /// Half(turned) --> [ Lawn ] shapeL(12, 5) { shape : mirror(turned, false, false) Bed | remainder : NIL }
     /// ```
     "mirror" (CityEngine, None) => pub struct Mirror {
         /// Whether left and right change places.
@@ -30,7 +30,8 @@ operation! {
     ///
     /// On a plan nothing changes; `comp(f)` finds the faces under the opposite words.
     /// ```cga
-    /// Lot --> extrude(3) reverseNormals() comp(f) { bottom : Lawn | all : NIL }
+    /// Lot  --> split(x) { ~1 : Half | 2 : Gravel | ~1 : reverseNormals() Half }
+    /// Half --> comp(f) { top : Lawn | bottom : Bed }
     /// ```
     "reverseNormals" (CityEngine, None) => pub struct ReverseNormals {}
 }

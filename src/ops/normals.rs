@@ -12,7 +12,8 @@ use crate::unit::Degrees;
 operation! {
     /// Sets how vertices are shaded in CityEngine; here it changes nothing, and a note says so.
     /// ```cga
-    /// Lot --> s(12, 12, 12) center(xz) primitiveSphere(24, 12) setNormals(soft) color("#7d9a5c") Dome.
+    /// Lot --> [ Lawn ] split(x) { ~1 : Ball | ~1 : Ball }
+    /// Ball --> s(12, 12, 12) center(xz) primitiveSphere(24, 12) setNormals(soft) Topiary
     /// ```
     "setNormals" (CityEngine, None) => pub struct SetNormals {
         /// How vertices are shaded.
@@ -23,7 +24,8 @@ operation! {
 operation! {
     /// Shades edges softly in CityEngine; here it changes nothing, and a note says so.
     /// ```cga
-    /// Lot --> s(12, 12, 12) center(xz) primitiveSphere(24, 12) softenNormals(30) color("#7d9a5c") Dome.
+    /// Lot --> [ Lawn ] split(x) { ~1 : Ball | ~1 : Ball }
+    /// Ball --> s(12, 12, 12) center(xz) primitiveSphere(24, 12) softenNormals(30) Topiary
     /// ```
     "softenNormals" (CityEngine, None) => pub struct SoftenNormals {
         /// Between faces up to this angle (degrees).
@@ -34,7 +36,8 @@ operation! {
 operation! {
     /// Loads less of a mesh in CityEngine; here it changes nothing, and a note says so.
     /// ```cga
-    /// Lot --> s(12, 12, 12) center(xz) primitiveSphere(24, 12) reduceGeometry(0.5) color("#7d9a5c") Dome.
+    /// Lot --> [ Lawn ] split(x) { ~1 : Ball(0) | ~1 : Ball(0.8) }
+    /// Ball(part) --> s(14, 14, 14) center(xz) primitiveSphere(24, 12) reduceGeometry(part) Topiary
     /// ```
     "reduceGeometry" (CityEngine, None) => pub struct ReduceGeometry {
         /// The share of vertices that goes, 0 to 1.

@@ -13,7 +13,7 @@ operation! {
     /// `inside` keeps the moved shape, `border` the band between the old outline and the new one, `all` both: then
     /// `comp` finds them under `inside` and `border`. What vanishes is deleted.
     /// ```cga
-    /// Bed --> offset(-0.5, inside) Flowers
+    /// Lot --> offset(-5) comp(f) { inside : Lawn | border : Bed }
     /// ```
     "offset" (CityEngine, None) => pub struct Offset {
         /// How far (metres), negative inwards.

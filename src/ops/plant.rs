@@ -18,9 +18,8 @@ operation! {
     /// within the radius that a placement has reserved, and the height within `max_height`. The plant stands about the
     /// middle of the scope. `species.crown` tells the radius to reserve for a species at an age.
     /// ```cga
-    /// Lawn --> boundary(width = 4, radius = 3) { Tree }
+    /// Lot  --> boundary(width = 5, radius = 2.6) { Tree } Lawn
     /// Tree --> plant(palette = temperate, max_age = 60, tree_ratio = 0.8, diversity = 0.5, species_count = 4)
-    /// Lime --> plant("Tilia cordata", min_age = 30, max_age = 30)
     /// ```
     "plant" (Added, None) => pub struct Plant {
         /// The species by any name the catalogue knows; empty: one of the palette (ϕ).

@@ -11,7 +11,8 @@ use std::sync::Arc;
 operation! {
     /// A rectangle on the ground of the scope; negative sizes reach the other way.
     /// ```cga
-    /// Slab --> primitiveQuad(2, 3) Stone.
+    /// Lot  --> [ Lawn ] split(x) { { ~8 : Slab }* }
+    /// Slab --> primitiveQuad(4, 12) center(xz) Paving
     /// ```
     "primitiveQuad" (CityEngine, None) => pub struct Quad {
         /// Along x (metres); 0 fills the scope.
@@ -24,7 +25,8 @@ operation! {
 operation! {
     /// A disk on the ground of the scope.
     /// ```cga
-    /// Basin --> primitiveDisk(48, 6) Water.
+    /// Lot --> [ Lawn ] split(x) { ~1 : Basin(48) | ~1 : Basin(8) | ~1 : Basin(5) }
+    /// Basin(sides) --> s(10, 0, 10) center(xz) primitiveDisk(sides) Water
     /// ```
     "primitiveDisk" (CityEngine, None) => pub struct Disk {
         /// How many corners stand for the circle.
@@ -37,7 +39,7 @@ operation! {
 operation! {
     /// A box that fills the scope; negative sizes reach the other way.
     /// ```cga
-    /// Plinth --> primitiveCube(1, 1.2, 1) Stone.
+    /// Lot --> [ Lawn ] split(x) { { ~10 : s(5, 1, 5) center(xz) primitiveCube() Stone }* }
     /// ```
     "primitiveCube" (CityEngine, None) => pub struct Cube {
         /// Along x (metres); 0 fills the scope.
@@ -52,7 +54,7 @@ operation! {
 operation! {
     /// An upright cylinder that fills the scope.
     /// ```cga
-    /// Pot --> primitiveCylinder(24, 0.4, 0.5) Clay.
+    /// Lot --> [ Gravel ] split(x) { { ~10 : s(6, 1, 6) center(xz) primitiveCylinder(24) Bed }* }
     /// ```
     "primitiveCylinder" (CityEngine, None) => pub struct Cylinder {
         /// How many corners stand for the circle.
@@ -67,7 +69,7 @@ operation! {
 operation! {
     /// An upright cone that fills the scope.
     /// ```cga
-    /// Topiary --> primitiveCone(24, 0.6, 2) Yew.
+    /// Lot --> [ Lawn ] split(x) { { ~10 : s(5, 6, 5) center(xz) primitiveCone(24) Topiary }* }
     /// ```
     "primitiveCone" (CityEngine, None) => pub struct Cone {
         /// How many corners stand for the circle.
@@ -82,7 +84,7 @@ operation! {
 operation! {
     /// A ball that fills the scope.
     /// ```cga
-    /// Ball --> primitiveSphere(16, 12, 0.5) Box.
+    /// Lot --> [ Gravel ] split(x) { { ~10 : s(6, 6, 6) center(xz) primitiveSphere(24, 12) Topiary }* }
     /// ```
     "primitiveSphere" (CityEngine, None) => pub struct Sphere {
         /// Corners around.

@@ -8,7 +8,7 @@ use crate::value::Value;
 operation! {
     /// Shows a value after the run, with the rule that printed it.
     /// ```cga
-    /// Bed --> print(scope.sx) Flowers
+    /// Lot --> split(x) { { ~8 : print(geometry.area) Bed | 2 : Gravel }* }
     /// ```
     "print" (CityEngine, None) => pub struct PrintValue {
         /// The value.

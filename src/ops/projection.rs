@@ -13,7 +13,7 @@ operation! {
     /// It lies in the world from now on and moves with the shape. With `'` a texture has that share of the scope, with
     /// `~` as many fit into the scope as come nearest.
     /// ```cga
-    /// Lot --> setupProjection(0, scope.xz, ~2, ~2) projectUV(0) texture("setts.jpg") Court.
+    /// Lot --> setupProjection(0, world.xz, 8, 8) projectUV(0) split(u, uvSpace, 0) { 0.8 : Lawn | 0.2 : Gravel }*
     /// ```
     "setupProjection" (CityEngine, None) => pub struct SetupProjection {
         /// The set of texture coordinates, 0 to 9.

@@ -13,7 +13,7 @@ operation! {
     ///
     /// The papers write `Rx(a)`, `Ry(a)`, `Rz(a)`.
     /// ```cga
-    /// Statue --> r(scopeCenter, 0, 90, 0) I(statue, marble, 0)
+    /// Lot --> [ Lawn ] s(20, 0, 12) center(xz) [ Bed ] r(scopeCenter, 0, 30, 0) Gravel
     /// ```
     "r" (CityEngine, None) => pub struct Rotate {
         /// The point that stays.

@@ -12,7 +12,7 @@ operation! {
     /// Edges that run within the angle along or across the longest one turn about their middles until they run so
     /// exactly; others stay, and meet them where their lines do. A part that would cross itself stays as it was.
     /// ```cga
-    /// Lot --> split(x) { ~1 : Lawn | ~1 : rectify(10) Meadow }
+    /// Lot --> split(x) { ~1 : primitiveDisk(9) Lawn | ~1 : primitiveDisk(9) rectify(30) Lawn }
     /// ```
     "rectify" (CityEngine, None) => pub struct Rectify {
         /// How far from right an angle may be (degrees, up to 45).

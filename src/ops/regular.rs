@@ -15,7 +15,7 @@ strategy! {
     ///
     /// Niese et al. 2022, §5.2: regular (I). x runs along the rows, and `place.cluster` says which row.
     /// ```cga
-    /// Orchard --> regular(cell = 9, jitter = 0.3) { Tree }
+    /// Orchard --> regular(cell = 6, jitter = 0.3) { plant("apple") } Meadow
     /// ```
     "regular" => pub struct Regular {
         /// Side of a cell (ω), metres.

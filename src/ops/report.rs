@@ -8,7 +8,7 @@ use crate::value::Value;
 operation! {
     /// Adds a value to the report under a key: numbers are summed and counted, texts counted.
     /// ```cga
-    /// Bed --> report("bed area", geometry.area) Flowers
+    /// Lot --> split(x) { ~1 : Lawn | ~1 : report("bed area", geometry.area) Bed | ~1 : Lawn }
     /// ```
     "report" (CityEngine, None) => pub struct ReportValue {
         /// The key.

@@ -8,8 +8,8 @@ use glam::{DVec2, DVec3};
 operation! {
     /// Gives the shape the geometry of the initial shape again, at the height where its scope begins.
     /// ```cga
-    /// Lot --> setback(8) { all : NIL | remainder : Lawn [ resetGeometry() Again ] }
-    /// Again --> setback(2) { all : Gravel }
+    /// Lot  --> setback(8) { all = Gravel | remainder : [ resetGeometry() Ring ] Lawn }
+    /// Ring --> setback(3) { all = Hedge }
     /// ```
     "resetGeometry" (CityEngine, None) => pub struct ResetGeometry {}
 }

@@ -10,8 +10,7 @@ use glam::{DMat3, DQuat, DVec3};
 operation! {
     /// Turns the scope about its axes and fits it again; the geometry stays where it is.
     /// ```cga
-    /// Lot --> rotateScope(0, 90, 0) split(x) { 4 : Hedge | ~1 : Lawn }
-    /// Hedge --> extrude(1.5) Clipped.
+    /// Lot --> rotateScope(0, 90, 0) split(x) { 4 : Hedge | ~1 : Lawn | 8 : Bed }
     /// ```
     "rotateScope" (CityEngine, None) => pub struct RotateScope {
         /// About x (degrees).
@@ -28,7 +27,7 @@ operation! {
     ///
     /// A scope stays right-handed: with x or y alone z turns round too, with z alone x, and all three are x and z.
     /// ```cga
-    /// Lot --> mirrorScope(true, false, false) split(x) { 12 : Meadow | ~1 : Lawn }
+    /// Lot --> mirrorScope(true, false, false) split(x) { 12 : Bed | 2 : Gravel | ~1 : Lawn }
     /// ```
     "mirrorScope" (CityEngine, None) => pub struct MirrorScope {
         /// Whether x is turned round.
@@ -45,7 +44,7 @@ operation! {
     ///
     /// Corners 0 to 3 are those at y = 0, 4 to 7 those above: the origin, then along x, then both, then along z.
     /// ```cga
-    /// Lot --> s(14, 0, 8) setPivot(xyz, 2) r(0, 30, 0) Paving
+    /// Lot --> [ Lawn ] s(20, 0, 12) t(10, 0, 9) [ Bed ] setPivot(xyz, 2) r(0, 30, 0) Paving
     /// ```
     "setPivot" (CityEngine, None) => pub struct SetPivot {
         /// Which axes of the scope are the pivot's x, y and z.

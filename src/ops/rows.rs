@@ -14,7 +14,7 @@ strategy! {
     ///
     /// Concavities and holes cut rows without moving a point. x runs along the rows, and `place.cluster` says which.
     /// ```cga
-    /// Orchard --> rows(spacing = 6, distance = 8, inset = 3) { Tree }
+    /// Orchard --> rows(spacing = 5, distance = 8, inset = 3) { plant("cherry") } Meadow
     /// ```
     "rows" => pub struct ParallelRows {
         /// From point to point in a row, metres.
@@ -37,7 +37,7 @@ strategy! {
     ///
     /// The pattern of formal groves and squares; `distance` between the rows makes it narrower or wider.
     /// ```cga
-    /// Grove --> quincunx(spacing = 6, inset = 3) { Tree }
+    /// Grove --> quincunx(spacing = 6, inset = 3) { plant("lime") } Gravel
     /// ```
     "quincunx" => pub struct Quincunx {
         /// From point to point in a row, metres.

@@ -13,7 +13,7 @@ operation! {
     ///
     /// The papers write `S(x, y, z)`.
     /// ```cga
-    /// Pavilion --> s('0.5, 4, '0.5) center(xz) primitiveCube
+    /// Lot --> [ Lawn ] [ s('0.5, 0, '1) Bed ] s('0.25, 0, '0.5) Gravel
     /// ```
     "s" (CityEngine, None) => pub struct Resize {
         /// Along x: metres, or with `'` a share of the scope.

@@ -16,7 +16,7 @@ operation! {
     /// deviation in metres or as a share of the scope. Each child is a point with y along the surface's normal;
     /// `place.index` and `place.total` count them. The shape itself stays: `NIL` after the block removes it.
     /// ```cga
-    /// Meadow --> scatter(surface, 40, gaussian, center, '0.25) { Tree }
+    /// Meadow --> scatter(surface, 30, gaussian, center, '0.16) { I(birch, young, rand(7)) } Lawn
     /// ```
     "scatter" (CityEngine, Body) => pub struct Scatter {
         /// What the points are set on: the surface, or the scope's ground rectangle.

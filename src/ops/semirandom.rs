@@ -14,7 +14,7 @@ strategy! {
     /// Niese et al. 2022, §5.2: semi-random (R). Each child is a point with `place.radius`. The shape itself stays:
     /// `NIL` after the block removes it.
     /// ```cga
-    /// Lawn --> semirandom(radius = 3.1, radius_sd = 0.6, density = 0.4) { Tree }
+    /// Lot --> semirandom(radius = 2.6, radius_sd = 0.7, density = 0.6) { plant("lime") } Lawn
     /// ```
     "semirandom" => pub struct SemiRandom {
         /// Mean radius that a plant keeps for itself (μ), metres.

@@ -13,7 +13,8 @@ operation! {
     /// `set(material.name, "gravel")` says what a leaf is made of: a ground cover of the catalogue (`bosquet ops
     /// covers` lists them), or a word of your own.
     /// ```cga
-    /// Path --> set(material.name, "gravel") Walk.
+    /// Lot  --> split(x) { ~1 : Court("gravel") | ~1 : Court("paving") | ~1 : Court("deck") }
+    /// Court(word) --> set(material.name, word) Paved.
     /// ```
     "set" (CityEngine, None) => pub struct Set {
         /// The attribute.

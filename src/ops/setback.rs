@@ -14,7 +14,7 @@ operation! {
     ///
     /// An array has a distance for each edge in their order, holes after the outline; edges beyond its end stay.
     /// ```cga
-    /// Garden --> setback(1.5) { front : Hedge | remainder : Lawn }
+    /// Lot --> setback(4) { front : Hedge | side = Gravel | remainder : Lawn }
     /// ```
     "setback" (CityEngine, Selectors(&["remainder"])) => pub struct Setback {
         /// How far the edges move (metres), or an array with a distance for each edge.

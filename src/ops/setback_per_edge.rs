@@ -11,7 +11,7 @@ operation! {
     /// The distance is evaluated with the edge as the current shape: `scope.sx` is its length, `comp.index` its number,
     /// `rand` draws anew. All else is as in `setback`.
     /// ```cga
-    /// Lot --> setbackPerEdge(case scope.sx > 35 : 6 else : 2) { all : Border | remainder : Lawn }
+    /// Lot --> setbackPerEdge(case scope.sx > 35 : 8 else : 3) { all : Bed | remainder : Lawn }
     /// ```
     "setbackPerEdge" (CityEngine, Selectors(&["remainder"])) => pub struct SetbackPerEdge {
         /// How far the edge moves (metres).

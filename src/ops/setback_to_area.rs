@@ -15,7 +15,7 @@ operation! {
     /// micrometre on which they are cut. Where it cannot be met, the remainder comes as near as it can, and a warning
     /// says so. All else is as in `setback`.
     /// ```cga
-    /// Lot --> setbackToArea(600) { all = Border | remainder : Lawn }
+    /// Lot --> setbackToArea(600) { all = Gravel | remainder : Lawn }
     /// ```
     "setbackToArea" (CityEngine, Selectors(&["remainder"])) => pub struct SetbackToArea {
         /// The area of the remainder in m², or with `'` a share of the shape's.

@@ -13,7 +13,8 @@ operation! {
     /// `shape` takes the wings, `remainder` what they leave; the two sum to the whole. The sides are those of the scope,
     /// and only the outline counts, not holes. A wing of 0 is none.
     /// ```cga
-    /// Lot --> shapeL(10, 8) { shape : extrude(6) House. | remainder : Lawn }
+    /// Lot   --> shapeL(12, 10) { shape : Wing | remainder : Lawn }
+    /// Wing --> set(material.name, "building") extrude(6) roofHip(35) House.
     /// ```
     "shapeL" (CityEngine, Selectors(&["shape", "remainder"])) => pub struct ShapeL {
         /// Depth of the front wing (metres).
@@ -28,7 +29,7 @@ operation! {
     ///
     /// All else is as in `shapeL`.
     /// ```cga
-    /// Lot --> shapeU(8, 6, 6) { shape : Gravel | remainder : Lawn }
+    /// Lot --> shapeU(8, 6, 6) { shape : Bed | remainder : Lawn }
     /// ```
     "shapeU" (CityEngine, Selectors(&["shape", "remainder"])) => pub struct ShapeU {
         /// Depth of the front wing (metres).
@@ -45,7 +46,8 @@ operation! {
     ///
     /// All else is as in `shapeL`.
     /// ```cga
-    /// Court --> shapeO(2, 3, 2, 3) { shape : Gravel | remainder : Lawn }
+    /// Lot --> shapeO(3, 5, 3, 5) { shape : Gravel | remainder : Court }
+    /// Court --> shapeO(1, 1, 1, 1) { shape : Hedge | remainder : Lawn }
     /// ```
     "shapeO" (CityEngine, Selectors(&["shape", "remainder"])) => pub struct ShapeO {
         /// Depth of the front wing (metres).

@@ -13,7 +13,7 @@ strategy! {
     ///
     /// Niese et al. 2022, §5.2: single (S).
     /// ```cga
-    /// Forecourt --> single(radius = 4) { Tree }
+    /// Lot --> setback(6) { all = Gravel | remainder : single(radius = 6) { plant("oak") } Lawn }
     /// ```
     "single" => pub struct Single {
         /// Mean radius that the plant keeps for itself (μ), metres.

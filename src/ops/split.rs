@@ -26,8 +26,7 @@ operation! {
     ///
     /// The papers write `Subdiv(x, 7, 2, 5) { A | B | A }` and `Repeat(x, 2) { A }` (Ulmer et al. 2007, §2.1).
     /// ```cga
-    /// Lot --> split(x) { 4 : Border | { ~6 : Bed | 1.5 : Path }* | 4 : Border }
-    /// Border --> split(v, unitSpace, 0) { 1 : Gravel | ~1 : split(u, unitSpace, 0) { ~3 : Meadow | ~3 : Lawn }* }
+    /// Lot --> split(x) { 4 : Hedge | { ~6 : Bed | 1.5 : Gravel }* | 4 : Hedge }
     /// ```
     "split" (CityEngine, Cuts) => pub struct Split {
         /// The axis to cut along.

@@ -13,7 +13,8 @@ operation! {
     /// As `split`, but sizes are areas: absolute (`200` m²), relative (`'0.3` of the shape's) or floating (`~3`, a
     /// weight in what is left). Of a prism the base is measured.
     /// ```cga
-    /// Field --> splitArea(x) { 300 : Bed | ~1 : Lawn | '0.25 : Meadow }
+    /// Lot  --> s(36, 0, 28) center(xz) primitiveDisk(48) Four
+    /// Four --> splitArea(x) { '0.25 : Lawn | '0.25 : Bed | '0.25 : Meadow | ~1 : Gravel }
     /// ```
     "splitArea" (CityEngine, Cuts) => pub struct SplitArea {
         /// The axis to cut along.

@@ -11,7 +11,8 @@ operation! {
     ///
     /// The papers write `T(x, y, z)`.
     /// ```cga
-    /// Bench --> t('0.5, 0, 1) I(bench, stone, 0)
+    /// Lot --> [ Lawn ] [ t(4, 0, 4) Court ] t(22, 0, 14) Court
+    /// Court --> s(14, 0, 12) Gravel
     /// ```
     "t" (CityEngine, None) => pub struct Translate {
         /// Along x: metres, or with `'` a share of the scope.

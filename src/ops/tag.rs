@@ -15,7 +15,7 @@ operation! {
     /// Tags stay where they are: what is later split, set back or raised has those of the faces and edges it lies on.
     /// `auto` tags the faces of a surface, the edges of a line, the point of a point.
     /// ```cga
-    /// Lot --> comp(e) { 0 : tag("quay") Edge. } split(x) { ~1 : Half | ~1 : Half }
+    /// Lot  --> comp(e) { 0 : tag("quay") Edge. } split(x) { ~1 : Half | ~1 : Half }
     /// Half --> tag("bed.roses") setback(3) { front : Meadow | remainder : Rest }
     /// Rest --> comp(f) { isTagged("bed") : Lawn | all : Gravel }
     /// ```
@@ -30,7 +30,8 @@ operation! {
 operation! {
     /// Removes tags: all, or those that answer to a query.
     /// ```cga
-    /// Lot --> tag("bed.roses") deleteTags("bed.*") comp(f) { isTagged("bed") : Meadow | all : Lawn }
+    /// Lot  --> tag("bed") split(x) { ~1 : Part | ~1 : deleteTags("bed") Part | ~1 : Part }
+    /// Part --> comp(f) { isTagged("bed") : Bed | all : Lawn }
     /// ```
     "deleteTags" (CityEngine, None) => pub struct DeleteTags {
         /// Which tags, by name, with `?` and `*`.
@@ -45,7 +46,8 @@ operation! {
     ///
     /// An attribute of the region that is a list has a value for each edge of its outline; see `edgeAttr.getFloat`.
     /// ```cga
-    /// Lot --> setTagsFromEdgeAttrs() setback(2) { isTagged("edgeattr.side.street") : Gravel | remainder : Lawn }
+    /// Lot  --> setTagsFromEdgeAttrs() Edge
+    /// Edge --> setback(4) { isTagged("edgeattr.side.street") = Gravel | all = Hedge | remainder : Lawn }
     /// ```
     "setTagsFromEdgeAttrs" (CityEngine, None) => pub struct SetTagsFromEdgeAttrs {}
 }

@@ -11,7 +11,7 @@ use std::sync::Arc;
 operation! {
     /// Sets the texture of the shape: `material.colormap`. Scenes carry it, plans do not show it.
     /// ```cga
-    /// Lot --> texture("setts.jpg") color("#c9c2b2") Court.
+    /// Lot --> setback(5) { all = texture("setts.jpg") color("#c9c2b2") Court. | remainder : Lawn }
     /// ```
     "texture" (CityEngine, None) => pub struct SetTexture {
         /// The picture's file.
@@ -23,7 +23,7 @@ operation! {
     /// Sets several attributes of the material: rows of a name and a value, as `getMaterial` gives them, or the name of
     /// a material.
     /// ```cga
-    /// Lot --> setMaterial("gravel") Court.
+    /// Lot --> split(x) { ~1 : setMaterial("gravel") Court. | ~1 : setMaterial("deck") Court. }
     /// ```
     "setMaterial" (CityEngine, None) => pub struct SetMaterial {
         /// An array of texts with two columns, or a name.
@@ -34,7 +34,7 @@ operation! {
 operation! {
     /// Takes colour, material and all textures back to what a shape begins with.
     /// ```cga
-    /// Lot --> set(material.name, "gravel") [ s('0.5, 0, '1) resetMaterial() Lawn ] Court.
+    /// Lot --> set(material.name, "gravel") [ s('0.5, 0, '1) resetMaterial() Lawn ] t('0.5, 0, 0) s('0.5, 0, '1) Court.
     /// ```
     "resetMaterial" (CityEngine, None) => pub struct ResetMaterial {}
 }

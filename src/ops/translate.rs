@@ -14,9 +14,7 @@ operation! {
     /// The systems are those of the scope, of the pivot, of the initial shape (its origin is where the region's first
     /// edge begins) and of the world (x east, y up, z south).
     /// ```cga
-    /// Lot --> split(x) { ~1 : Court | 6 : translate(rel, world, 0, 0, -3) Path | ~1 : Court }
-    /// Path --> Gravel
-    /// Court --> Lawn
+    /// Lot --> [ Lawn ] s(14, 0, 12) [ Bed ] translate(rel, world, 18, 0, 10) Paving
     /// ```
     "translate" (CityEngine, None) => pub struct Move {
         /// By or to.
@@ -35,7 +33,7 @@ operation! {
 operation! {
     /// Turns the shape about its pivot within a coordinate system: by angles, or to them; x first, then y, then z.
     /// ```cga
-    /// Lot --> s(12, 0, 6) center(xz) rotate(abs, world, 0, 30, 0) Paving
+    /// Lot --> [ Lawn ] s(20, 0, 12) center(xz) [ Bed ] rotate(abs, world, 0, 30, 0) Paving
     /// ```
     "rotate" (CityEngine, None) => pub struct Turn {
         /// By or to.

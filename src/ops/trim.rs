@@ -12,7 +12,7 @@ operation! {
     ///
     /// `setback` mitres strips at their corners by itself, and `subtract` takes one shape off another.
     /// ```cga
-    /// Lot --> s('0.5, 4, '0.5) center(xz) set(material.name, "building") primitiveCube trim Pavilion.
+    /// Lot --> [ Lawn ] s('0.5, 4, '0.5) center(xz) set(material.name, "building") primitiveCube trim Pavilion.
     /// ```
     "trim" (CityEngine, None) => pub struct Trim {}
 }

@@ -16,7 +16,7 @@ operation! {
     ///
     /// Older rules write `offsetUV`.
     /// ```cga
-    /// Lot --> translateUV(0, 0.5, 0) texture("gravel.jpg") Court.
+    /// Lot --> translateUV(0, 0.5, 0) split(u, unitSpace, 0) { ~1 : Lawn | 3 : Gravel | ~1 : Bed }
     /// ```
     "translateUV" | "offsetUV" (CityEngine, None) => pub struct TranslateUv {
         /// The set of texture coordinates, 0 to 9.
@@ -31,7 +31,7 @@ operation! {
 operation! {
     /// Multiplies the texture coordinates of a set.
     /// ```cga
-    /// Lot --> scaleUV(0, 4, 2) texture("gravel.jpg") Court.
+    /// Lot --> scaleUV(0, 4, 1) split(u, uvSpace, 0) { 0.5 : Lawn | 0.5 : Bed }*
     /// ```
     "scaleUV" (CityEngine, None) => pub struct ScaleUv {
         /// The set of texture coordinates, 0 to 9.
@@ -81,7 +81,7 @@ operation! {
     /// With `~` as many tiles fit as come nearest, with `'` a tile has that share of the shape; a negative size turns
     /// the texture round, 0 leaves that coordinate as it is.
     /// ```cga
-    /// Lot --> tileUV(0, ~2, ~1) texture("setts.jpg") Court.
+    /// Lot --> tileUV(0, ~5, ~5) split(u, uvSpace, 0) { 0.8 : Bed | 0.2 : Gravel }*
     /// ```
     "tileUV" (CityEngine, None) => pub struct TileUv {
         /// The set of texture coordinates, 0 to 9.
@@ -98,7 +98,7 @@ operation! {
     ///
     /// Where none are left, `split` along u and v takes those that the shape has of itself.
     /// ```cga
-    /// Lot --> rotateUV(0, 90) deleteUV(0) split(u, unitSpace, 0) { ~1 : Lawn | 3 : Gravel | ~1 : Lawn }
+    /// Lot --> rotateUV(0, 90) deleteUV(0) split(u, unitSpace, 0) { ~1 : Lawn | 3 : Gravel | ~1 : Bed }
     /// ```
     "deleteUV" (CityEngine, None) => pub struct DeleteUv {
         /// The set of texture coordinates, 0 to 9.

@@ -14,7 +14,8 @@ operation! {
     /// A label is the kind of a feature of the lot (`"building"`, `"water"`, `"driveway"` …), the kind of a
     /// neighbouring region, or the label of a shape that was derived before. So lawns end at the pond and their area is right. What is taken off wholly is deleted.
     /// ```cga
-    /// Lot --> without("building", 1) without("driveway") Garden
+    /// Lot  --> [ s(18, 0, 14) center(xz) primitiveDisk(48) label("pond") Water ] Rest
+    /// Rest --> without("pond", 2) Lawn
     /// ```
     "without" (Added, None) => pub struct Without {
         /// The label.

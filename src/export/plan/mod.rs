@@ -16,6 +16,7 @@ mod labels;
 mod legend;
 mod lettering;
 mod objects;
+mod palette;
 mod path;
 mod planting;
 mod png;
@@ -28,7 +29,7 @@ mod texture;
 pub use drawing::{Anchor, Drawing, Group, Item, Layer, Shape, Stroke, Style, Symbol, Text, Use};
 pub use ink::Ink;
 pub use path::{Path, Step};
-pub use png::{MOST_PIXELS, PlanError, Resolution, png};
+pub use png::{MOST_PIXELS, PlanError, Resolution, png, small_png};
 pub use svg::svg;
 
 use crate::export::plan::labels::Board;

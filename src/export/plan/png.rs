@@ -7,6 +7,7 @@
 use crate::export::plan::drawing::{Drawing, Group, Item, Layer, Shape, Stroke, Symbol, Text, Use};
 use crate::export::plan::ink::Ink;
 use crate::export::plan::lettering;
+use crate::export::plan::palette;
 use crate::export::plan::path::{Path, Step};
 use glam::DVec2;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
@@ -46,11 +47,31 @@ pub enum PlanError {
 
 /// Paints a drawing and packs it as PNG, with its resolution noted in the file.
 pub fn png(drawing: &Drawing, resolution: Resolution) -> Result<Vec<u8>, PlanError> {
-    let dots = match resolution {
-        Resolution::Drawn => drawing.dots,
-        Resolution::DotsPerInch(dots) => dots / 25.4,
-        Resolution::Width(width) => f64::from(width) / drawing.size.x,
-    };
+    let dots = resolution.dots(drawing);
+    let sheet = painted(drawing, dots)?;
+    packed(&rgb(&sheet.pixels), [sheet.pixels.width(), sheet.pixels.height()], dots, FilterType::Adaptive)
+}
+
+/// The same in so few colours that the file is a third as large: for pictures that stand in texts.
+pub fn small_png(drawing: &Drawing, colours: usize) -> Result<Vec<u8>, PlanError> {
+    let sheet = painted(drawing, drawing.dots)?;
+    let mut rgb = rgb(&sheet.pixels);
+    palette::reduce(&mut rgb, colours);
+    packed(&rgb, [sheet.pixels.width(), sheet.pixels.height()], drawing.dots, FilterType::NoFilter)
+}
+
+impl Resolution {
+    /// Dots per millimetre of paper.
+    fn dots(self, drawing: &Drawing) -> f64 {
+        match self {
+            Resolution::Drawn => drawing.dots,
+            Resolution::DotsPerInch(dots) => dots / 25.4,
+            Resolution::Width(width) => f64::from(width) / drawing.size.x,
+        }
+    }
+}
+
+fn painted(drawing: &Drawing, dots: f64) -> Result<Canvas, PlanError> {
     let mut sheet = Canvas::new(DVec2::ZERO, drawing.size, dots)?;
     let [from, to] = drawing.window;
     let symbols: Vec<Vec<Drawn>> = drawing.symbols.iter().map(prepared).collect();
@@ -68,7 +89,7 @@ pub fn png(drawing: &Drawing, resolution: Resolution) -> Result<Vec<u8>, PlanErr
         }
     }
     window.take().iter().for_each(|canvas| sheet.lay(canvas, 1.0));
-    packed(&sheet.pixels, dots)
+    Ok(sheet)
 }
 
 /// A picture of a part of the sheet.
@@ -283,11 +304,16 @@ fn pen(width: f64) -> tiny_skia::Stroke {
 }
 
 /// The picture as a PNG file: paper is opaque, so three channels do.
-fn packed(pixels: &Pixmap, dots: f64) -> Result<Vec<u8>, PlanError> {
-    let rgb: Vec<u8> = pixels.pixels().iter().flat_map(|p| [p.red(), p.green(), p.blue()]).collect();
+fn rgb(pixels: &Pixmap) -> Vec<u8> {
+    pixels.pixels().iter().flat_map(|p| [p.red(), p.green(), p.blue()]).collect()
+}
+
+fn packed(rgb: &[u8], [width, height]: [u32; 2], dots: f64, filter: FilterType) -> Result<Vec<u8>, PlanError> {
     let mut bytes = Vec::new();
-    PngEncoder::new_with_quality(&mut bytes, CompressionType::Default, FilterType::Adaptive)
-        .write_image(&rgb, pixels.width(), pixels.height(), ExtendedColorType::Rgb8)
+    // Few colours only come out small where the packer looks for long repetitions.
+    let effort = if filter == FilterType::NoFilter { CompressionType::Best } else { CompressionType::Default };
+    PngEncoder::new_with_quality(&mut bytes, effort, filter)
+        .write_image(rgb, width, height, ExtendedColorType::Rgb8)
         .map_err(|error| PlanError::Packing(error.to_string()))?;
     note_resolution(&mut bytes, dots);
     Ok(bytes)

@@ -23,8 +23,8 @@ operation! {
     /// are, `unify` and `recompose` make one of those that overlap or touch. Plants, things, lines and points cannot
     /// become part of a shape: they are built as they are.
     /// ```cga
-    /// Lot --> inline(unify) { split(x) { ~1 : Bed | ~1 : NIL | ~1 : Bed } } offset(-1, inside) color("#c98a9a") Beds.
-    /// Bed --> offset(-2, inside)
+    /// Lot  --> [ Lawn ] inline(unify) { split(x) { ~1 : Part | ~2 : NIL | ~1 : Part } } offset(-1, inside) Bed.
+    /// Part --> offset(-2, inside)
     /// ```
     "inline" (CityEngine, Operands(1)) => pub struct Inline {
         /// How several shapes are put together.
@@ -38,7 +38,7 @@ operation! {
     /// Both parts are derived in place; the first decides about colour and attributes. Flat shapes in one plane and
     /// prisms over one plane are united exactly; other solids are put together as they are.
     /// ```cga
-    /// Lot --> union { offset(-6, inside) | s('0.4, '1, '1) center(x) } color("#d8c9a3") Terrace.
+    /// Lot --> [ Lawn ] union { s('1, '1, 8) center(z) | s(8, '1, '1) center(x) } Gravel
     /// ```
     "union" (CityEngine, Operands(2)) => pub struct Union {}
 }
@@ -49,8 +49,7 @@ operation! {
     /// Flat shapes lose what lies in others of their plane and in prisms through it; prisms lose prisms over the same
     /// plane. What is taken off wholly is deleted.
     /// ```cga
-    /// Lot --> subtract { color("#9bb86b") Green | s('0.1, '1, '1) center(x) } Lawn.
-    /// Green --> offset(-1, inside)
+    /// Lot --> subtract { Keep. | s(20, '1, 20) center(xz) primitiveDisk(48) } Lawn
     /// ```
     "subtract" (CityEngine, Operands(2)) => pub struct Subtract {}
 }
@@ -58,7 +57,8 @@ operation! {
 operation! {
     /// What two derivations of the current shape have in common.
     /// ```cga
-    /// Lot --> intersect { offset(-3, inside) | s('0.5, '1, '1) center(x) } color("#7fb4c9") Basin.
+    /// Lot --> [ Lawn ] intersect { Disk | t(14, 0, 0) Disk } Water
+    /// Disk --> s(26, '1, 26) center(z) primitiveDisk(48)
     /// ```
     "intersect" (CityEngine, Operands(2)) => pub struct Intersect {}
 }

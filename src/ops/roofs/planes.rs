@@ -14,7 +14,8 @@ operation! {
     ///
     /// Where the outline reaches behind that edge, the plane begins at its farthest corner there.
     /// ```cga
-    /// Lot --> set(material.name, "roof") extrude(3) roofShed(8, 2) Store.
+    /// Lot   --> split(z) { 8 : Store | ~1 : Lawn }
+    /// Store --> set(material.name, "roof") extrude(3) roofShed(8, 2) Roof.
     /// ```
     "roofShed" (CityEngine, None) => pub struct Shed {
         /// What the value says.
@@ -32,7 +33,8 @@ operation! {
     /// The ridge lies in the middle of the shape's depth. Where the outline is not a rectangle, the eaves rise and
     /// fall with it.
     /// ```cga
-    /// Lot --> set(material.name, "roof") extrude(3) roofRidge(byHeight, 3) Barn.
+    /// Lot  --> [ Lawn ] s(30, 0, 16) center(xz) Barn
+    /// Barn --> set(material.name, "roof") extrude(3) roofRidge(byHeight, 3) Roof.
     /// ```
     "roofRidge" (CityEngine, None) => pub struct Ridge {
         /// What the value says.

@@ -14,7 +14,8 @@ operation! {
     /// An angle holds for the first edge; on outlines that are not regular the others are steeper or flatter. From the
     /// tip every edge must be seen: for other outlines there is `roofHip`.
     /// ```cga
-    /// Lot --> set(material.name, "roof") extrude(3) roofPyramid(30) Pavilion.
+    /// Lot      --> [ Lawn ] s(16, 0, 16) center(xz) primitiveDisk(8) Pavilion
+    /// Pavilion --> set(material.name, "roof") extrude(3) roofPyramid(30) Roof.
     /// ```
     "roofPyramid" (CityEngine, None) => pub struct Pyramid {
         /// What the value says.
@@ -29,7 +30,8 @@ operation! {
     ///
     /// On a prism the tip stands on its top. From the tip every edge must be seen.
     /// ```cga
-    /// Lot --> color("#8a8d91") taper(12) Spire.
+    /// Lot   --> [ Gravel ] s(14, 0, 14) center(xz) primitiveDisk(12) Spire
+    /// Spire --> set(material.name, "roof") taper(20) Roof.
     /// ```
     "taper" (CityEngine, None) => pub struct Taper {
         /// How high the tip stands (metres).

@@ -18,7 +18,8 @@ operation! {
     /// each edge above its bottom; the scope's y stands on the eaves. `even` levels the ridges at their mean height,
     /// which breaks faces into triangles.
     /// ```cga
-    /// Lot --> set(material.name, "roof") extrude(4) roofHip(35, 0.6) House.
+    /// Lot   --> shapeL(14, 12) { shape : Wing | remainder : Lawn }
+    /// Wing --> set(material.name, "roof") extrude(4) roofHip(35, 0.6) House.
     /// ```
     "roofHip" (CityEngine, None) => pub struct Hip {
         /// What the value says.
@@ -39,7 +40,8 @@ operation! {
     /// where there is no such end, the roof is hipped. An `index` makes that edge and the one across it the gables
     /// of a convex outline.
     /// ```cga
-    /// Lot --> set(material.name, "roof") extrude(4) roofGable(40, 0.5) House.
+    /// Lot   --> shapeL(14, 12) { shape : Wing | remainder : Lawn }
+    /// Wing --> set(material.name, "roof") extrude(4) roofGable(40, 0.5) House.
     /// ```
     "roofGable" (CityEngine, None) => pub struct Gable {
         /// What the value says.
