@@ -2,13 +2,11 @@
 
 #![no_main]
 
-#[path = "../../tests/common/place.rs"]
-mod place;
-#[path = "../../tests/common/programs/mod.rs"]
-mod programs;
-#[path = "../../tests/common/read.rs"]
-mod read;
+#[path = "../../tests/common/laid_out.rs"]
+mod laid_out;
+#[path = "../../tests/common/told.rs"]
+mod told;
 #[path = "../../tests/common/trial.rs"]
 mod trial;
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| trial::laid_out(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| laid_out::laid_out(bytes));

@@ -4,5 +4,7 @@
 
 #[path = "../../tests/common/read.rs"]
 mod read;
+#[path = "../../tests/common/told.rs"]
+mod told;
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| read::rules(bytes));

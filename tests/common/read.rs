@@ -1,5 +1,6 @@
 //! Any bytes as a rule file: whoever reads them holds to what is promised. For fuzzers and what they found.
 
+use crate::told::is_told_well;
 use bosquet::check::check;
 use bosquet::diag::Diagnostic;
 use bosquet::syntax::ast::File;
@@ -27,12 +28,6 @@ pub fn rules(bytes: &[u8]) {
 
 fn read(bytes: &[u8]) -> (File, Vec<Diagnostic>) {
     parse(0, &Source::new("main.cga", bytes))
-}
-
-/// A message says something, and is no sentence.
-pub fn is_told_well(diagnostic: &Diagnostic) {
-    let message = &diagnostic.message;
-    assert!(!message.is_empty() && !message.ends_with('.'), "{message}");
 }
 
 /// The tree without its places.

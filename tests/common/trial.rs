@@ -1,8 +1,6 @@
 //! A program tried on an odd layout, from bytes to bytes; whatever it is, the promises of a run hold.
 
-use crate::place;
-use crate::programs::{Files, program};
-use crate::read::is_told_well;
+use crate::told::is_told_well;
 use bosquet::check::{Program, check};
 use bosquet::derive::{Limits, Options, Progress, derive};
 use bosquet::diag::Diagnostic;
@@ -24,19 +22,14 @@ use std::time::Duration;
 pub const LIMITS: Limits =
     Limits { depth: 12, calls: 40, shapes: 1_500, children: 300, time: Duration::from_secs(86_400) };
 
-/// Layouts as `place` has them: plain, holed, concave, sliver, tiny, huge, on a slope of numbers, several lots.
-const LAYOUTS: [&[&str]; 10] = [
-    &["rect 40 30"],
-    &["rect 30 30", "hole 10,10 10,20 20,20 20,10", "feature building 22,3 28,3 28,9 22,9 height=6"],
-    &["polygon 0,0 30,0 30,6 6,6 6,24 30,24 30,30 0,30", "attribute size=5"],
-    &["rect 60 0.004"],
-    &["rect 0.02 0.03"],
-    &["rect 900000 700000"],
-    &["polygon 0,0 20,0.0001 40,0 21,7 20,30 19,7", "elevation 1e6"],
-    &["rect 12 9", "rect 12 9 12 0", "start A", "rect 12 9 24 0", "kind park", "feature street 0,-4 36,-4"],
-    &["polygon 0,0 9,0 9,9", "feature tree 3,2", "feature path 0,0 9,9", "rect 4 4 20 20"],
-    &["polygon 1e6,1e6 1000030,1e6 1000030,1000012.5 1000015,1000012.5 1000015,1000025 1e6,1000025"],
-];
+/// A program as its two files.
+#[derive(Debug)]
+pub struct Files {
+    /// Begins on lots with `Lot`.
+    pub main: String,
+    /// What it imports, as `second.cga`.
+    pub second: String,
+}
 
 /// What a trial came to.
 pub enum Verdict {
@@ -49,20 +42,12 @@ pub enum Verdict {
 /// A run as bytes.
 #[derive(PartialEq)]
 pub struct Written {
-    tree: String,
-    told: Vec<String>,
-    plan: String,
-    plants: String,
-    surfaces: String,
-    schedule: String,
-}
-
-/// A program and where it is tried: the first byte chooses the layout, the second the seed.
-pub fn of_bytes(bytes: &[u8]) -> (Files, Layout, Seed) {
-    let (head, rest) = bytes.split_at(bytes.len().min(2));
-    let byte = |index: usize| head.get(index).copied().unwrap_or_default();
-    let layout = place::parse(LAYOUTS[usize::from(byte(0)) % LAYOUTS.len()]).expect("a layout");
-    (program(rest), layout, Seed(byte(1).into()))
+    pub tree: String,
+    pub told: Vec<String>,
+    pub plan: String,
+    pub plants: String,
+    pub surfaces: String,
+    pub schedule: String,
 }
 
 /// What the files may ask for.
@@ -145,7 +130,9 @@ fn is_finite(scene: &Scene) {
     let mut numbers: Vec<f64> = Vec::new();
     for cover in &scene.covers {
         let bounds = cover.area.bounds();
-        numbers.extend([cover.elevation, cover.area.area(), bounds.min.x, bounds.max.y].iter().filter(|_| !cover.area.is_empty()));
+        numbers.extend(
+            [cover.elevation, cover.area.area(), bounds.min.x, bounds.max.y].iter().filter(|_| !cover.area.is_empty()),
+        );
     }
     for solid in &scene.solids {
         numbers.extend([solid.base, solid.height, solid.footprint.area()]);
@@ -163,29 +150,4 @@ fn is_finite(scene: &Scene) {
         numbers.extend(place.iter().chain(&object.size));
     }
     assert!(numbers.iter().all(|number| number.is_finite()), "the scene has numbers that are none");
-}
-
-/// A garden for every kind of region, which asks for streets, buildings and neighbours.
-const GARDEN: &str = r#"
-attr density = 0.02
-@StartRule
-Any --> without("building", 0.5) setback(1) { street.front : Hedge | front = Path | remainder : Rest }
-Hedge --> extrude(1.5) comp(f) { top : Box. | side : Yew. }
-Path --> splitArea(x) { 5 : Gravel. | ~1 : Stone. }
-Rest --> case inside("park") : Lawn. else : split(x) { ~6 : Bed }*
-Bed --> scatter(surface, density * geometry.area, uniform) { Tree } innerRectangle(scope) { shape : Lawn. | remainder : Meadow. }
-Tree --> case overlaps(intra) : NIL else : plant("birch")
-"#;
-
-/// Reads bytes as a layout and makes a garden of it.
-pub fn laid_out(bytes: &[u8]) {
-    static PROGRAM: LazyLock<Program> = LazyLock::new(|| {
-        let (program, told) = check(&MemoryWorld::default().with("main.cga", GARDEN), "main.cga");
-        assert!(!told.iter().any(Diagnostic::is_error), "{told:?}");
-        program
-    });
-    let (layout, told) = bosquet::layout::read_geojson("layout.geojson", bytes);
-    told.iter().for_each(is_told_well);
-    assert!(!layout.regions.is_empty() || !layout.features.is_empty() || !told.is_empty(), "nothing and nothing said");
-    run(&PROGRAM, &layout, Seed(3), &MemoryWorld::default());
 }

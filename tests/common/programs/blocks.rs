@@ -4,8 +4,22 @@ use super::{DEPTH, Writer};
 use bosquet::ops::{BlockKind, Spec};
 
 const SIDES: [&str; 16] = [
-    "all", "front", "back", "left", "right", "top", "bottom", "side", "0", "1", "comp.index % 2 == 0", "horizontal",
-    "street.front", "world.up", "scope.sx > 3", "vertical",
+    "all",
+    "front",
+    "back",
+    "left",
+    "right",
+    "top",
+    "bottom",
+    "side",
+    "0",
+    "1",
+    "comp.index % 2 == 0",
+    "horizontal",
+    "street.front",
+    "world.up",
+    "scope.sx > 3",
+    "vertical",
 ];
 
 impl Writer<'_> {

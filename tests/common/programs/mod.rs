@@ -7,7 +7,11 @@
 mod blocks;
 mod values;
 
+use crate::place;
+use crate::trial::Files;
+use bosquet::layout::Layout;
 use bosquet::ops::{OPERATIONS, ParamKind, Spec};
+use bosquet::seed::Seed;
 
 /// How deep bodies and expressions nest at most.
 const DEPTH: u8 = 4;
@@ -15,17 +19,30 @@ const DEPTH: u8 = 4;
 /// Longest texts: they would end otherwise where the bytes do, which may be far away.
 const MOST: usize = 6_000;
 
-/// A program as its two files.
-#[derive(Debug)]
-pub struct Files {
-    /// Begins on lots with `Lot`.
-    pub main: String,
-    /// What it imports, as `second.cga`.
-    pub second: String,
+/// Layouts as `place` has them: plain, holed, concave, sliver, tiny, huge, on a slope of numbers, several lots.
+const LAYOUTS: [&[&str]; 10] = [
+    &["rect 40 30"],
+    &["rect 30 30", "hole 10,10 10,20 20,20 20,10", "feature building 22,3 28,3 28,9 22,9 height=6"],
+    &["polygon 0,0 30,0 30,6 6,6 6,24 30,24 30,30 0,30", "attribute size=5"],
+    &["rect 60 0.004"],
+    &["rect 0.02 0.03"],
+    &["rect 900000 700000"],
+    &["polygon 0,0 20,0.0001 40,0 21,7 20,30 19,7", "elevation 1e6"],
+    &["rect 12 9", "rect 12 9 12 0", "start A", "rect 12 9 24 0", "kind park", "feature street 0,-4 36,-4"],
+    &["polygon 0,0 9,0 9,9", "feature tree 3,2", "feature path 0,0 9,9", "rect 4 4 20 20"],
+    &["polygon 1e6,1e6 1000030,1e6 1000030,1000012.5 1000015,1000012.5 1000015,1000025 1e6,1000025"],
+];
+
+/// A program and where it is tried: the first byte chooses the layout, the second the seed.
+pub fn of_bytes(bytes: &[u8]) -> (Files, Layout, Seed) {
+    let (head, rest) = bytes.split_at(bytes.len().min(2));
+    let byte = |index: usize| head.get(index).copied().unwrap_or_default();
+    let layout = place::parse(LAYOUTS[usize::from(byte(0)) % LAYOUTS.len()]).expect("a layout");
+    (program(rest), layout, Seed(byte(1).into()))
 }
 
 /// The program of these bytes.
-pub fn program(bytes: &[u8]) -> Files {
+fn program(bytes: &[u8]) -> Files {
     let mut writer = Writer { bytes: bytes.iter(), out: String::new(), depth: 0, params: 0, inside: None };
     writer.second();
     let second = std::mem::take(&mut writer.out);
