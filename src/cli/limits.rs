@@ -14,10 +14,10 @@ pub struct LimitArguments {
     #[arg(value_parser = clap::value_parser!(u16).range(1..=4_000))]
     limit_calls: u16,
     /// Shapes of one lot
-    #[arg(long, value_name = "N", default_value_t = 5_000_000, help_heading = "Limits")]
+    #[arg(long, value_name = "N", default_value_t = 1_500_000, help_heading = "Limits")]
     limit_shapes: usize,
     /// Children of one operation
-    #[arg(long, value_name = "N", default_value_t = 2_000_000, help_heading = "Limits")]
+    #[arg(long, value_name = "N", default_value_t = 1_000_000, help_heading = "Limits")]
     limit_children: usize,
     /// Seconds for one lot
     #[arg(long, value_name = "S", default_value_t = 600, help_heading = "Limits")]

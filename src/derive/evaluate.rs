@@ -7,6 +7,7 @@ use crate::functions::{Function, Surroundings};
 use crate::syntax::ast::{BinaryOp, SizeMark};
 use crate::value::{Size, Value};
 use smallvec::SmallVec;
+use std::cell::Cell;
 use std::sync::Arc;
 
 /// Why an expression has no value.
@@ -29,10 +30,16 @@ pub(super) struct Names<'a> {
     pub calls: usize,
     /// How much higher the tree of calls may grow, so that the stack holds.
     pub room: usize,
+    /// How many calls there were in this expression.
+    pub spent: &'a Cell<u32>,
 }
 
 /// The highest tree of expressions within function calls: some 400 bytes a level, far below a thread's stack.
 pub(super) const HIGHEST: usize = 2_000;
+
+/// The most calls of functions in one expression, some tenths of a second: one that calls itself twice goes nowhere deep
+/// and yet without end.
+const MOST_CALLS: u32 = 3_000_000;
 
 /// The value of an expression on the shape of `around`.
 ///
@@ -181,16 +188,17 @@ pub(super) fn truth(code: &Code, names: &Names, around: &mut Surroundings, span:
     let value = evaluate(code, names, around)?;
     value.as_bool().ok_or_else(|| Failure {
         span,
-        message: format!("a condition must be true or false, found {} `{value}`", value.type_name()),
+        message: format!("a condition must be true or false, found {} `{}`", value.type_name(), value.shown()),
     })
 }
 
 /// An expression that must give a number.
 pub(super) fn number(code: &Code, names: &Names, around: &mut Surroundings, span: Span) -> Result<f64, Failure> {
     let value = evaluate(code, names, around)?;
-    value
-        .as_float()
-        .ok_or_else(|| Failure { span, message: format!("a number is wanted, found {} `{value}`", value.type_name()) })
+    value.as_float().ok_or_else(|| Failure {
+        span,
+        message: format!("a number is wanted, found {} `{}`", value.type_name(), value.shown()),
+    })
 }
 
 #[inline(never)]
@@ -201,8 +209,16 @@ fn call(index: u32, args: &[Code], names: &Names, around: &mut Surroundings) -> 
         let message = format!("`{}` is called too deep within itself or others: the limit is `calls`", function.name);
         return Err(Failure { span: function.span, message });
     };
+    names.spent.set(names.spent.get() + 1);
+    if names.spent.get() > MOST_CALLS {
+        let message = format!(
+            "`{}` and others are called more than {MOST_CALLS} times in one expression: the limit is `evaluations`",
+            function.name
+        );
+        return Err(Failure { span: function.span, message });
+    }
     let params: SmallVec<[Value; 4]> = args.iter().map(|arg| evaluate(arg, names, around)).collect::<Result<_, _>>()?;
-    evaluate(&function.value, &Names { program: names.program, params: &params, calls, room }, around)
+    evaluate(&function.value, &Names { params: &params, calls, room, ..*names }, around)
 }
 
 /// `a + b` and the like, both evaluated.
@@ -227,13 +243,13 @@ pub(super) fn binary(op: BinaryOp, left: Value, right: Value) -> Result<Value, S
     match (op, left.as_str(), right.as_str()) {
         (B::Equal, ..) => Ok(Value::Bool(same(&left, &right))),
         (B::NotEqual, ..) => Ok(Value::Bool(!same(&left, &right))),
-        (B::Add, Some(_), _) | (B::Add, _, Some(_)) => Ok(Value::Text(format!("{left}{right}").into())),
+        (B::Add, Some(_), _) | (B::Add, _, Some(_)) => Value::written(format_args!("{left}{right}")),
         (B::Less, Some(a), Some(b)) => Ok(Value::Bool(a < b)),
         (B::LessEqual, Some(a), Some(b)) => Ok(Value::Bool(a <= b)),
         (B::Greater, Some(a), Some(b)) => Ok(Value::Bool(a > b)),
         (B::GreaterEqual, Some(a), Some(b)) => Ok(Value::Bool(a >= b)),
         (B::Less | B::LessEqual | B::Greater | B::GreaterEqual, None, None) => sorted(op, &left, &right),
-        _ => Err(format!("cannot be done with {} `{left}` and {} `{right}`", left.type_name(), right.type_name())),
+        _ => Err(undone(&left, &right)),
     }
 }
 
@@ -241,7 +257,7 @@ pub(super) fn binary(op: BinaryOp, left: Value, right: Value) -> Result<Value, S
 fn sorted(op: BinaryOp, left: &Value, right: &Value) -> Result<Value, String> {
     let order = left.as_array().zip(right.as_array()).and_then(|(a, b)| a.compare(b));
     let Some(order) = order else {
-        return Err(format!("cannot be done with {} `{left}` and {} `{right}`", left.type_name(), right.type_name()));
+        return Err(undone(left, right));
     };
     Ok(Value::Bool(match op {
         BinaryOp::Less => order.is_lt(),
@@ -249,6 +265,11 @@ fn sorted(op: BinaryOp, left: &Value, right: &Value) -> Result<Value, String> {
         BinaryOp::Greater => order.is_gt(),
         _ => order.is_ge(),
     }))
+}
+
+fn undone(left: &Value, right: &Value) -> String {
+    let [a, b] = [left, right].map(|value| format!("{} `{}`", value.type_name(), value.shown()));
+    format!("cannot be done with {a} and {b}")
 }
 
 /// Texts and bare words of the same letters are the same.
@@ -275,7 +296,10 @@ pub(super) fn attributes(
         let mut around = Surroundings { shape: &shape, random: &mut random, ..reborrow(around) };
         let value = match given(slot) {
             Some(value) => Ok(value),
-            None => evaluate(&attribute.initial, &Names { program, params: &[], calls, room: HIGHEST }, &mut around),
+            None => {
+                let names = Names { program, params: &[], calls, room: HIGHEST, spent: &Cell::new(0) };
+                evaluate(&attribute.initial, &names, &mut around)
+            }
         };
         match value {
             Ok(value) => Arc::make_mut(&mut shape.attributes)[slot] = value,

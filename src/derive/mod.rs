@@ -84,7 +84,7 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Limits {
-        Limits { depth: 1_000, calls: 200, shapes: 5_000_000, children: 2_000_000, time: Duration::from_secs(600) }
+        Limits { depth: 1_000, calls: 200, shapes: 1_500_000, children: 1_000_000, time: Duration::from_secs(600) }
     }
 }
 

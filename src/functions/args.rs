@@ -37,16 +37,8 @@ pub(super) fn any(args: &[Value], index: usize) -> Result<&Value, String> {
 
 /// What was wanted and what was found; long values are cut.
 pub(super) fn wrong(wanted: &str, found: &Value) -> String {
-    let mut text = found.to_string();
-    if let Some((end, _)) = text.char_indices().nth(LONGEST) {
-        text.truncate(end);
-        text.push('…');
-    }
-    format!("takes {wanted}, found {} `{text}`", found.type_name())
+    format!("takes {wanted}, found {} `{}`", found.type_name(), found.shown())
 }
-
-/// Characters of a value that a message shows.
-const LONGEST: usize = 40;
 
 /// `` `a`, `b` or `c` ``.
 fn alternatives(words: &[&str]) -> String {

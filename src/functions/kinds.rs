@@ -10,7 +10,7 @@ use std::sync::Arc;
 const MISSING: &str = "\u{e000}";
 
 pub(super) static LIST: &[Function] = &[
-    Function::new("str", "(value)", (1, 1), "Any value as a text.", |args, _| Ok(Value::text(args[0].to_string())))
+    Function::new("str", "(value)", (1, 1), "Any value as a text.", |args, _| Value::written(format_args!("{}", args[0])))
         .text()
         .constant(),
     Function::new(

@@ -6,7 +6,7 @@
 use crate::functions::args::{array_at, number, text_at};
 use crate::functions::arrays::place;
 use crate::functions::{Function, Gives};
-use crate::value::{Array, Cells, Value};
+use crate::value::{Array, Cells, Value, within_text};
 use std::sync::Arc;
 
 /// A function that gives a text.
@@ -23,7 +23,9 @@ macro_rules! text {
 
 pub(super) static LIST: &[Function] = &[
     text!("listAdd", "(list, item)", 2, "The list with one more item at its end.", |args| {
-        Ok(terminated(text_at(args, 0)?) + &terminated(&args[1].to_string()))
+        let item = Value::written(format_args!("{}", args[1]))?;
+        let list = terminated(text_at(args, 0)?) + &terminated(item.as_str().unwrap_or_default());
+        within_text(list.len()).map(|()| list)
     }),
     text!("listClean", "(list)", 1, "The list, terminated and without empty items.", |args| {
         Ok(listed(items(text_at(args, 0)?).filter(|item| !item.is_empty())))
@@ -61,8 +63,12 @@ pub(super) static LIST: &[Function] = &[
     }),
     text!("listFromArray", "(array)", 1, "The values of an array as a list, row by row.", |args| {
         let array = array_at(args, 0)?;
-        let values: Vec<String> = (0..array.len()).map(|i| array.at(i).to_string()).collect();
-        Ok(listed(values.iter().map(String::as_str)))
+        let mut list = String::new();
+        for index in 0..array.len() {
+            list.push_str(&format!("{};", array.at(index)));
+            within_text(list.len())?;
+        }
+        Ok(list)
     }),
     Function::new(
         "listIndex",

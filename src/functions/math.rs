@@ -114,7 +114,7 @@ fn each(args: &[Value], f: fn(f64) -> f64) -> Result<Value, String> {
     let value = any(args, 0)?;
     match (value.as_float(), value) {
         (Some(number), _) => Ok(Value::Float(f(number))),
-        (_, Value::Array(array)) => mapped(array, |x| f(x)).map(|mapped| Value::Array(mapped.into())),
+        (_, Value::Array(array)) => mapped(array, f).map(|mapped| Value::Array(mapped.into())),
         _ => Err(wrong("a number or an array of numbers", value)),
     }
 }

@@ -4,7 +4,7 @@ use crate::functions::args::{any, number, text_at};
 use crate::functions::arrays::{characters, place};
 use crate::functions::{Function, Gives};
 use crate::pattern::Regex;
-use crate::value::{Array, Cells, Value};
+use crate::value::{Array, Cells, Value, within_text};
 use std::sync::Arc;
 
 pub(super) static LIST: &[Function] = &[
@@ -49,8 +49,12 @@ pub(super) static LIST: &[Function] = &[
         "The text with every old part replaced by a text or another value.",
         |args, _| {
             let (text, old) = (text_at(args, 0)?, text_at(args, 1)?);
-            let new = any(args, 2)?.to_string();
-            Ok(Value::text(if old.is_empty() { text.into() } else { text.replace(old, &new) }))
+            let Value::Text(new) = Value::written(format_args!("{}", any(args, 2)?))? else { return Ok(args[0].clone()) };
+            if old.is_empty() {
+                return Ok(args[0].clone());
+            }
+            within_text(text.len() + text.matches(old).count() * new.len())?;
+            Ok(Value::text(text.replace(old, &new)))
         },
     )
     .text()

@@ -159,7 +159,7 @@ fn highest(mut from: f64, mut to: f64, f: impl Fn(f64) -> f64) -> f64 {
     }
     let middle = 0.5 * (from + to);
     // At an end the section only comes near.
-    ends.into_iter().filter(|end| f(*end) >= f(middle)).next_back().unwrap_or(middle)
+    ends.into_iter().rfind(|end| f(*end) >= f(middle)).unwrap_or(middle)
 }
 
 /// A range of strips: those that begin in the one interval and end in the other.

@@ -202,7 +202,7 @@ pub struct Operation {
     components: Components,
     sections: Sections,
     apply: Application,
-    ready: fn(&mut [Option<Value>]) -> Option<Box<dyn Ready>>,
+    ready: Decoding,
 }
 
 /// An operation whose arguments are known before derivation: decoded once, applied to every shape.
@@ -241,6 +241,9 @@ type Sections = fn(&mut [Option<Value>], &Shape, &[Cut], usize) -> Result<Vec<u1
 
 /// Arguments, one per parameter, and a shape → pieces; the shape is changed in place.
 type Application = fn(&mut [Option<Value>], &mut Shape, &Given) -> Result<Pieces, Problem>;
+
+/// Arguments, one per parameter → the operation with them, where they can be taken.
+type Decoding = fn(&mut [Option<Value>]) -> Option<Box<dyn Ready>>;
 
 /// What the engine hands to an operation beside the shape and its arguments.
 pub struct Given<'a> {

@@ -45,7 +45,9 @@ impl Standing {
     pub fn near(&self, bounds: Bounds, own: Option<u32>) -> Vec<Disk> {
         let reach = bounds.grown(self.largest);
         let (low, high) = (cell_of(reach.min), cell_of(reach.max));
-        let wide = (high.0 - low.0 + 1).saturating_mul(high.1 - low.1 + 1) > self.disks.len() as i64;
+        // Cells without end saturate.
+        let across = |low: i64, high: i64| high.saturating_sub(low).saturating_add(1);
+        let wide = across(low.0, high.0).saturating_mul(across(low.1, high.1)) > self.disks.len() as i64;
         let reaches = |index: &u32| {
             let disk = self.disks[*index as usize];
             Some(*index) != own && bounds.grown(disk.radius).contains(disk.position)
@@ -97,5 +99,7 @@ mod tests {
         assert_eq!(standing.near(near, Some(1600)).len() + 1, standing.near(near, None).len());
         let far = Bounds { min: DVec2::splat(1e12), max: DVec2::splat(2e12) };
         assert_eq!(standing.near(far, None), []);
+        standing.add(Disk { position: DVec2::ZERO, radius: 1e300 });
+        assert_eq!(standing.near(near, None), expected(&standing));
     }
 }

@@ -3,10 +3,12 @@
 mod array;
 mod build;
 mod each;
+mod long;
 mod pick;
 
 pub use array::{Array, Cells};
 pub use build::MOST_CELLS;
+pub use long::{MOST_TEXT, within_text};
 
 use std::fmt;
 use std::sync::Arc;

@@ -1,6 +1,7 @@
 //! Rules without end stop at limits that have names and flags; the rest of the run is written.
 
-use crate::bench::Bench;
+use crate::bench::{Bench, Ran};
+use std::process::Command;
 use std::time::{Duration, Instant};
 
 #[test]
@@ -59,4 +60,58 @@ fn brackets_have_a_greatest_depth() {
         let bench = Bench::two_lots(&format!("Lot --> {}Lawn {}", open.repeat(5000), close.repeat(5000)));
         bench.derive_two("-o a.svg").ends(1).says(&["error[syntax-limit]"]);
     }
+}
+
+/// Rules that would go on or grow for ever, and the limit that ends each.
+const RUNAWAYS: &[(&str, &str)] = &[
+    ("`depth`", "Lot --> A\nA --> A A"),
+    ("`depth`", "Lot --> A\nA --> [ A ] A"),
+    ("`depth`", "Lot --> A\nA --> split(x) { '0.5 : A | '0.5 : A }"),
+    ("`depth`", "Lot --> A(1)\nA(n) with (m := n + 1) --> B(m)\nB(n) with (m := n + 1) --> A(m)"),
+    ("`depth`", "Lot --> primitiveSphere(100, 100) A\nA --> s('0.9, '1, '1) [ A ] A"),
+    ("`shapes`", "Lot --> R(60)\nR(n) --> case n > 0 : R(n - 1) R(n - 1) else : NIL"),
+    ("`shapes`", "Lot --> split(x) { 0.01 : split(z) { 0.01 : Lawn. }* }*"),
+    ("`children`", "Lot --> split(x) { 1e-9 : Lawn. }*"),
+    ("`children`", "Lot --> scatter(surface, 1e9, uniform) { Tree. }"),
+    ("limit of 10,000,000", "Lot --> Distr(1e9) { Tree. }"),
+    ("`calls`", "f(x) = f(x + 1)\nLot --> extrude(f(1)) Lawn."),
+    ("`calls`", "f(x) with (y := g(x)) = y\ng(x) with (y := f(x)) = y\nLot --> extrude(f(1)) Lawn."),
+    ("`evaluations`", "f(n) = case n > 0 : f(n - 1) + f(n - 1) else : 1\nLot --> extrude(f(99)) Lawn."),
+    ("`array`", "Lot --> print([1 : 1e12]) Lawn."),
+    ("`array`", "f(a) = f([a, a])\nLot --> print(f([1, 2])) Lawn."),
+    ("`array`", "Lot --> A([1, 2])\nA(a) --> A([a, a])"),
+    ("`text`", "f(t, n) = f(t + t, n + 1)\nLot --> print(f(\"a\", 1)) Lawn."),
+    ("`text`", "Lot --> A(\"a\")\nA(t) --> A(t + t)"),
+    ("`text`", "attr t = \"a\"\nLot --> A\nA --> set(t, t + t) A"),
+    ("`text`", "f(t) = f(listAdd(t, t))\nLot --> print(f(\"a;b\")) Lawn."),
+    ("`text`", "Lot --> A(\"aa\")\nA(t) --> A(replace(t, \"a\", t))"),
+    ("`text`", "f(t) = f(str([t, t, t, t]))\nLot --> print(f(\"abc\")) Lawn."),
+    ("than 48 times", "Lot --> A\nA --> inline(unify) { A }"),
+    ("than 48 times", "Lot --> A\nA --> union { A | extrude(1) }"),
+    ("circle", "import me : \"rules.cga\"\nattr a = 1\nLot --> me(a = a + 1).Lot"),
+];
+
+#[test]
+fn runaway_rules_stay_small() {
+    for (limit, rules) in RUNAWAYS {
+        let bench = Bench::garden().with("rules.cga", rules);
+        let (ran, peak) = measured(bench.command(&["derive", "garden", "--rules", "rules.cga", "-o", "a.json"]));
+        assert_eq!(ran.code, 1, "{rules}: {ran:#?}");
+        assert!(ran.err.contains(limit), "{rules} does not name {limit}: {}", ran.err);
+        assert!(peak <= 1 << 20, "{rules} takes {peak} KiB");
+    }
+}
+
+/// Runs a command; what it left, and the most memory that it held, KiB: 0 where the system does not tell.
+fn measured(mut command: Command) -> (Ran, u64) {
+    let mut child = command.spawn().expect("the command starts");
+    let (status, mut peak) = (format!("/proc/{}/status", child.id()), 0);
+    while child.try_wait().expect("a child").is_none() {
+        let text = std::fs::read_to_string(&status).unwrap_or_default();
+        let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+        let held = line.and_then(|line| line.split_whitespace().next()?.parse().ok());
+        peak = peak.max(held.unwrap_or(0));
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    (Ran::of(child.wait_with_output().expect("a child")), peak)
 }

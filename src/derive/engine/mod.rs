@@ -27,7 +27,7 @@ use crate::raster::Rasters;
 use crate::seed::{Random, Seed};
 use crate::shape::{Node, NodeId, Occluders, Outcome, Scope, Shape};
 use crate::value::Value;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::Instant;
@@ -55,6 +55,7 @@ pub(super) fn lot(run: &Run, index: usize, rule: u32, context: &[(usize, Value)]
         names,
         progress,
         told,
+        spent: Cell::new(0),
         initial: lot.initial,
         intra: lot.intra,
         inter: lot.inter,
@@ -112,6 +113,8 @@ struct Engine<'a> {
     progress: &'a Progress,
     /// What `print` was given within expressions and is not among the outcome's prints yet.
     told: RefCell<Vec<Value>>,
+    /// Calls of functions in the expression at hand.
+    spent: Cell<u32>,
     initial: Initial,
     intra: Occluders,
     inter: Occluders,
@@ -268,12 +271,14 @@ impl Engine<'_> {
     }
 
     fn frame<'f>(&'f self, turn: &'f Turn, current: &'f mut Current) -> Frame<'f> {
+        self.spent.set(0);
         Frame {
             names: Names {
                 program: self.program,
                 params: &turn.args,
                 calls: self.options.limits.calls,
                 room: evaluate::HIGHEST,
+                spent: &self.spent,
             },
             shape: &current.shape,
             random: current.random.get_or_insert_with(|| current.drawn.draw("rand")),

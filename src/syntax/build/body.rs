@@ -55,7 +55,6 @@ impl<'t> Builder<'t> {
                 Rule::percentage => share = Some(self.percentage(next)?),
                 _ if inner.peek().is_none() => {
                     let otherwise = Box::new(self.body(next)?);
-                    self.check_sum(arms.iter().map(|(chance, _)| chance));
                     return Some(Body::Chance { arms, otherwise });
                 }
                 _ => {

@@ -4,7 +4,6 @@ use super::{Builder, next_if, unescaped};
 use crate::diag::{Diagnostic, Span};
 use crate::syntax::ast::{Arg, BinaryOp, Expr, ExprKind, Name, Separator, SizeMark, UnaryOp};
 use crate::syntax::grammar::{Pair, Rule};
-use crate::text;
 use pest::iterators::Pairs;
 use pest::pratt_parser::{Assoc, Op, PrattParser};
 use std::sync::LazyLock;
@@ -232,25 +231,8 @@ impl<'t> Builder<'t> {
             arms.push((self.expression(chance)?, self.value(inner.next()?)?));
         }
         let otherwise = Box::new(self.value(inner.next()?)?);
-        self.check_sum(arms.iter().map(|(chance, _)| chance));
         let span = start.to(otherwise.span);
         Some(Expr { kind: ExprKind::Chance { arms, otherwise }, span })
-    }
-}
-
-impl Builder<'_> {
-    /// A lint where percentages that are written as numbers add up to more than 100: what comes last is never chosen.
-    pub(super) fn check_sum<'e>(&self, chances: impl Iterator<Item = &'e Expr>) {
-        let mut sum = 0.0;
-        for chance in chances {
-            let ExprKind::Number(share) = chance.kind else { return };
-            sum += share;
-            if sum > 100.0 + 1e-9 {
-                let message = format!("these percentages have come to {} here", text::number(sum, 3));
-                let hint = "they are shares of one whole: `else` gets what is left of 100";
-                return self.report(Diagnostic::lint("syntax-chance", chance.span, message).hint(hint));
-            }
-        }
     }
 }
 
