@@ -154,7 +154,6 @@ impl Checker {
         (Code::Chance(checked.into_iter().map(|(t, (v, _))| (t, v)).collect(), Box::new(last), span), kind)
     }
 
-    /// Percentages that are written as numbers must not exceed 100 together.
     /// `0.8%`, where 80 in a hundred were meant.
     fn tiny(&mut self, percent: f64, span: Span) {
         if percent > 0.0 && percent < 1.0 {
@@ -164,6 +163,7 @@ impl Checker {
         }
     }
 
+    /// Percentages that are written as numbers must not exceed 100 together.
     pub(super) fn percentages<'a>(&mut self, percents: impl Iterator<Item = &'a Expr>) {
         let mut sum = 0.0;
         let mut place: Option<Span> = None;

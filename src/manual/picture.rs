@@ -58,7 +58,7 @@ impl Sheet<'_> {
     }
 
     /// A part of a layout, metres, so large that it is 470 pixels wide, without a legend.
-    pub fn part<'a>(layout: &'a str, extent: [f64; 4]) -> Sheet<'a> {
+    pub fn part(layout: &str, extent: [f64; 4]) -> Sheet<'_> {
         let [width, height] = [extent[2] - extent[0], extent[3] - extent[1]];
         let pixels = [470, (470.0 * height / width).round() as u32];
         // 110 dots to the inch: 470 of them are 108 mm.
