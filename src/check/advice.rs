@@ -12,8 +12,8 @@ use crate::syntax::ast::{Expr, ExprKind, SizeMark, UnaryOp};
 use crate::text::number;
 use crate::value::Value;
 
-/// Lengths from here on are millimetres rather than metres.
-const LONGEST: f64 = 1000.0;
+/// Lengths between these are millimetres rather than metres.
+const MILLIMETRES: std::ops::RangeInclusive<f64> = 1e3..=1e6;
 
 /// Angles below this that are no whole degrees are radians rather than degrees: half a turn.
 const HALF_TURN: f64 = std::f64::consts::PI + 0.01;
@@ -23,7 +23,7 @@ impl Checker {
     pub(super) fn unit(&mut self, param: &Param, found: f64, span: Span) {
         let (name, shown) = (param.name, number(found, 4));
         let (message, hint) = match inner(param.kind) {
-            ParamKind::Metres | ParamKind::PerEdge | ParamKind::OnEdges if found.abs() >= LONGEST => (
+            ParamKind::Metres | ParamKind::PerEdge | ParamKind::OnEdges if MILLIMETRES.contains(&found.abs()) => (
                 format!("`{name}` is {shown} metres"),
                 format!("lengths are metres: {shown} mm are `{}`", number(found / 1000.0, 4)),
             ),
@@ -83,7 +83,7 @@ impl Checker {
 
 /// What a share that was meant in per cent would be.
 pub(super) fn percent(found: f64) -> Option<String> {
-    let is_percent = found > 1.0 && found <= 100.0;
+    let is_percent = found > 5.0 && found <= 100.0;
     is_percent.then(|| format!("{} % are `{}`", number(found, 4), number(found / 100.0, 4)))
 }
 

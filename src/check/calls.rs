@@ -318,7 +318,8 @@ impl Checker {
         let near = nearest(name, self.loaded.modules[module].slots.keys().map(|k| &**k).chain(settable));
         let message = format!("there is no attribute `{name}` that can be set");
         let diagnostic = Diagnostic::error("unknown-name", span, message).did_you_mean(near);
-        self.tell(diagnostic.hint(format!("`attr {name} = …` at the top of the file makes one")));
+        let own = format!("`attr {name} = …` at the top of the file makes one");
+        self.tell(Some(own).filter(|_| !name.contains('.')).into_iter().fold(diagnostic, Diagnostic::hint));
         Code::Value(Value::Word(name.clone()))
     }
 
