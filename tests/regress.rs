@@ -1,5 +1,6 @@
 //! What fuzzing has found, kept small and under a name that says what it was: `tests/regress/parse` has rule files of
-//! any bytes, `layout` layouts, `derive` programs as sections of the suite are written.
+//! any bytes, `layout` layouts,
+//! `derive` programs, with `// Layout:` lines where it matters and a second file after `// File: second.cga`.
 
 #[path = "common/laid_out.rs"]
 mod laid_out;
@@ -7,8 +8,6 @@ mod laid_out;
 mod place;
 #[path = "common/read.rs"]
 mod read;
-#[path = "common/section.rs"]
-mod section;
 #[path = "common/told.rs"]
 mod told;
 #[path = "common/trial.rs"]
@@ -43,15 +42,14 @@ fn layouts() {
 
 #[test]
 fn programs() {
-    let sections = section::sections(&kept("derive"));
-    assert!(!sections.is_empty());
-    for section in sections {
-        let text = |index: usize| section.files.get(index).map_or(String::new(), |file| file.text());
-        let files = Files { main: text(0), second: text(1) };
-        let layout = place::parse(&section.all("Layout").collect::<Vec<_>>()).expect("a layout");
+    for text in texts("derive") {
+        let (main, second) = text.split_once("// File: second.cga\n").unwrap_or((&text, ""));
+        let files = Files { main: main.into(), second: second.into() };
+        let statements: Vec<&str> = main.lines().filter_map(|line| line.strip_prefix("// Layout: ")).collect();
+        let layout = place::parse(&statements).expect("a layout");
         match trial::tried(&files, &layout, Seed(3)) {
             Verdict::Ran(written) => assert!(!written.tree.is_empty()),
-            Verdict::Refused(told) => panic!("{} is refused: {told:?}", section.name),
+            Verdict::Refused(told) => panic!("{main} is refused: {told:?}"),
         }
     }
 }
