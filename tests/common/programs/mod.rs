@@ -19,7 +19,7 @@ const DEPTH: u8 = 4;
 /// Longest texts: they would end otherwise where the bytes do, which may be far away.
 const MOST: usize = 6_000;
 
-/// Layouts as `place` has them: plain, holed, concave, sliver, tiny, huge, on a slope of numbers, several lots.
+/// Layouts as `place` has them: plain, holed, concave, sliver, tiny, huge, pinched, several lots, far away.
 const LAYOUTS: [&[&str]; 10] = [
     &["rect 40 30"],
     &["rect 30 30", "hole 10,10 10,20 20,20 20,10", "feature building 22,3 28,3 28,9 22,9 height=6"],
