@@ -70,5 +70,5 @@ fn most_programs_are_sound() {
             refused.extend(told.into_iter().find(Diagnostic::is_error).map(|d| d.message));
         }
     }
-    assert!(refused.len() < 100, "{} of 300 are refused: {refused:#?}", refused.len());
+    assert!(refused.len() < 60, "{} of 300 are refused: {refused:#?}", refused.len());
 }

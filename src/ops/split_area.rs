@@ -2,7 +2,8 @@
 
 use crate::geometry::Sweep;
 use crate::ops::declare::operation;
-use crate::ops::split::{self, Adjust, Along, Interval};
+use crate::ops::spec::choice;
+use crate::ops::split::{self, Adjust, Interval};
 use crate::ops::{Apply, Given, Pieces, Problem};
 use crate::shape::{Axis, Geometry, Plane, Shape};
 use glam::{DVec2, DVec3};
@@ -18,9 +19,21 @@ operation! {
     /// ```
     "splitArea" (CityEngine, Cuts) => pub struct SplitArea {
         /// The axis to cut along.
-        axis: Along,
+        axis: OfScope,
         /// `adjust` fits the parts' scopes to their geometry, `noAdjust` keeps the parent's extent across the axis.
         scope: Adjust = Adjust::Fitted => "adjust",
+    }
+}
+
+choice! {
+    /// An axis of the scope.
+    pub enum OfScope {
+        /// x
+        X = "x",
+        /// y
+        Y = "y",
+        /// z
+        Z = "z",
     }
 }
 

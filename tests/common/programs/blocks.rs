@@ -41,6 +41,12 @@ impl Writer<'_> {
             }
             BlockKind::Selectors(extra) => self.selectors(extra),
             BlockKind::Body => self.entries(1),
+            // `inline` takes operations alone.
+            BlockKind::Operands(1) => {
+                self.put(" { ");
+                self.steps();
+                self.put(" }");
+            }
             BlockKind::Operands(count) => self.entries(count),
         }
         self.depth -= 1;

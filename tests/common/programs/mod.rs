@@ -10,7 +10,7 @@ mod values;
 use crate::place;
 use crate::trial::Files;
 use bosquet::layout::Layout;
-use bosquet::ops::{OPERATIONS, ParamKind, Spec};
+use bosquet::ops::{OPERATIONS, Origin, ParamKind, Spec};
 use bosquet::seed::Seed;
 
 /// How deep bodies and expressions nest at most.
@@ -19,7 +19,7 @@ const DEPTH: u8 = 4;
 /// Longest texts: they would end otherwise where the bytes do, which may be far away.
 const MOST: usize = 6_000;
 
-/// Layouts as `place` has them: plain, holed, concave, sliver, tiny, huge, on a slope of numbers, several lots.
+/// Layouts as `place` has them: plain, holed, concave, sliver, tiny, huge, pinched, several lots, far away.
 const LAYOUTS: [&[&str]; 10] = [
     &["rect 40 30"],
     &["rect 30 30", "hole 10,10 10,20 20,20 20,10", "feature building 22,3 28,3 28,9 22,9 height=6"],
@@ -164,7 +164,7 @@ impl Writer<'_> {
     }
 
     /// Operations, then perhaps what comes next.
-    fn steps(&mut self) {
+    pub fn steps(&mut self) {
         for _ in 0..=self.pick(4) {
             self.step();
         }
@@ -235,7 +235,14 @@ impl Writer<'_> {
             if param.default.is_some() {
                 self.put(&format!("{} = ", param.name));
             }
-            last = self.argument(param.kind, last);
+            last = match (spec.origin, param.kind) {
+                // What is ours refuses negative lengths while it is checked.
+                (Origin::Added, ParamKind::Metres | ParamKind::Number | ParamKind::Degrees) => {
+                    self.amount();
+                    None
+                }
+                (_, kind) => self.argument(kind, last),
+            };
             before = ", ";
         }
         self.put(if before == "(" { "" } else { ")" });
@@ -246,7 +253,7 @@ impl Writer<'_> {
     /// `head a : content head b : content else : content`.
     fn cases(&mut self, head: fn(&mut Self), word: &str, content: fn(&mut Self)) {
         for _ in 0..=self.pick(2) {
-            self.put(word);
+            self.put(&format!(" {word}"));
             head(self);
             self.put(" : ");
             content(self);
@@ -256,7 +263,7 @@ impl Writer<'_> {
     }
 
     fn share(&mut self) {
-        let share = ["30%", "0%", "5.5%", "100%"][self.pick(4)];
+        let share = ["30%", "0%", "5.5%", "33%"][self.pick(4)];
         self.put(share);
     }
 

@@ -27,38 +27,31 @@ const ARRAYS: [&str; 8] =
     ["[1, 2, 3]", "[1]", "[0 : 9]", "[5 : -1 : -5]", "[1, 2; 3, 4]", "[0.5, 1e300, -2]", "[]", "[1 : 0.1 : 3]"];
 const INFIXES: [&str; 6] = ["+", "-", "*", "/", "%", "+"];
 const COMPARISONS: [&str; 6] = ["<", "<=", ">", ">=", "==", "!="];
-const SETTABLE: [(&str, ParamKind); 8] = [
-    ("size", ParamKind::Number),
-    ("kind", ParamKind::Text),
-    ("on", ParamKind::Truth),
-    ("material.name", ParamKind::Text),
-    ("material.color", ParamKind::Text),
-    ("material.opacity", ParamKind::Share),
-    ("seedian", ParamKind::Number),
-    ("material.colormap", ParamKind::Text),
-];
+/// Attributes of the main file.
+const OWN: [(&str, ParamKind); 3] = [("size", ParamKind::Number), ("kind", ParamKind::Text), ("on", ParamKind::Truth)];
 
 impl Writer<'_> {
     /// One argument; gives what the argument after it has to be, where this one decides that.
     pub fn argument(&mut self, kind: ParamKind, wanted: Wanted) -> Wanted {
         match kind {
-            ParamKind::Varying(inner) => return self.argument(*inner, None),
+            ParamKind::Varying(ParamKind::Word | ParamKind::Text) => self.text(),
+            ParamKind::Varying(ParamKind::Share) => drop(self.argument(ParamKind::Share, None)),
+            ParamKind::Varying(_) => self.amount(),
             ParamKind::Choice(words) => {
                 let word = words[self.pick(words.len())];
                 self.put(word);
             }
-            ParamKind::Attribute => {
-                let known = if self.inside.is_none() { 0 } else { 3 };
-                let (name, kind) = SETTABLE[known + self.pick(SETTABLE.len() - known)];
-                self.put(name);
-                return Some(kind);
-            }
+            ParamKind::Attribute => return self.settable(),
             ParamKind::Size => self.size(&["", "", "'"]),
             ParamKind::Text | ParamKind::Word => self.text(),
             ParamKind::Truth => self.truth(),
             ParamKind::Truths => self.put("[true, false, true]"),
             ParamKind::PerEdge if self.chance() => self.numbers(),
-            ParamKind::Count | ParamKind::Share | ParamKind::PerArea => self.amount(),
+            ParamKind::Share => {
+                let share = ["0.5", "1", "0", "0.02", "rand(1)", "(rand(9) - 4)"][self.pick(6)];
+                self.put(share);
+            }
+            ParamKind::Count | ParamKind::PerArea => self.amount(),
             ParamKind::Any => match wanted {
                 Some(kind) => drop(self.argument(kind, None)),
                 None => self.any(),
@@ -68,17 +61,36 @@ impl Writer<'_> {
         None
     }
 
+    /// The name of an attribute that can be set.
+    fn settable(&mut self) -> Wanted {
+        if self.inside.is_none() && self.chance() {
+            let (name, kind) = OWN[self.pick(OWN.len())];
+            self.put(name);
+            return Some(kind);
+        }
+        let known: Vec<&Function> = all().filter(|function| function.settable).collect();
+        let function = known[self.pick(known.len())];
+        self.put(function.name);
+        Some(match function.gives {
+            Gives::Text => ParamKind::Text,
+            Gives::Truth => ParamKind::Truth,
+            _ => ParamKind::Number,
+        })
+    }
+
     /// A number behind one of these marks.
     pub fn size(&mut self, marks: &[&str]) {
         let mark = marks[self.pick(marks.len())];
-        self.put(mark);
+        self.put(&format!("{mark}("));
         self.number();
+        self.put(")");
     }
 
-    /// A number that is not below 0, or one that cannot be told.
-    fn amount(&mut self) {
-        let amount = ["1", "0.5", "3", "0", "0.02", "12", "300", "1e6", "size", "rand(4)"];
-        let known = if self.inside.is_some() { 8 } else { 10 };
+    /// A number that is not below 0, or one that cannot be told before.
+    pub fn amount(&mut self) {
+        let amount =
+            ["1", "0.5", "3", "0", "0.02", "12", "300", "1e9", "1e300", "1e-9", "(rand(9) - 4)", "place.u", "size"];
+        let known = if self.inside.is_some() { 11 } else { 13 };
         let amount = amount[self.pick(known)];
         self.put(amount);
     }
