@@ -39,8 +39,9 @@ fn parameters(spec: &Spec) -> String {
 /// The list of everything.
 pub fn contents() -> String {
     let mut text = format!("{MADE}# The manual of the language\n\n");
-    text += "The language itself is told in [language.md](../language.md); [tutorial.md](tutorial.md) goes from an empty \
-             file to a planted square. Here stands every word that is built in.\n\n";
+    // No links: a manual may be written anywhere, and these two are the sources'.
+    text += "The language itself is told in `docs/language.md` of the sources; `docs/manual/tutorial.md` there goes from \
+             an empty file to a planted square. Here stands every word that is built in.\n\n";
     text += "- [functions and shape attributes](functions.md)\n- [selectors](selectors.md)\n\
              - [ground covers](covers.md)\n- [plants and things](elements.md)\n\n## Operations\n\n";
     for part in PARTS {

@@ -35,7 +35,7 @@ operation! {
 choice! {
     /// Which way an element stands.
     pub enum Up {
-        /// Along the scope's y.
+        /// Square to the shape, on the side that is up: plans have no element that leans with the scope.
         Scope = "scope.y",
         /// Along the normals: the same on a flat shape.
         Normal = "vertex.normal",
