@@ -90,11 +90,13 @@ impl World for Disk {
 
     fn list(&self, folder: &str) -> Result<Vec<String>, WorldError> {
         let place = if folder.is_empty() { "./" } else { folder };
-        self.asked.lock().unwrap_or_else(PoisonError::into_inner).insert(place.into());
-        let real = Path::new(place).canonicalize().map_err(|error| unreadable(place, &error))?;
-        if !self.shows(&real) {
+        let real = Path::new(place).canonicalize();
+        // What lies outside stays there, and need not be kept in mind.
+        if real.as_ref().is_ok_and(|real| !self.shows(real)) {
             return Err(WorldError::Outside(place.into()));
         }
+        self.asked.lock().unwrap_or_else(PoisonError::into_inner).insert(place.into());
+        let real = real.map_err(|error| unreadable(place, &error))?;
         let files = below(&real, folder).map_err(|error| unreadable(place, &error))?;
         self.hashes.lock().unwrap_or_else(PoisonError::into_inner).insert(place.into(), listing_hash(&files));
         Ok(files)

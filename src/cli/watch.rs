@@ -2,7 +2,7 @@
 //!
 //! What was read is known from the world, files that were asked for and not there among it, and folders that were
 //! listed. The folders of files are watched and not the files, since editors put new files in the place of old ones. One
-//! line a run; outputs that come out as they were are left alone, and where rules or layout are broken the last ones stay.
+//! line a run, and a second where the outputs of the first are new in a folder that rules list; outputs that come out as they were are left alone, and where rules or layout are broken the last ones stay.
 
 use crate::cli::derive::{self, Done, Stop};
 use crate::cli::disk::{hash_now, is_listing, write_changed};
