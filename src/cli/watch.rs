@@ -2,7 +2,8 @@
 //!
 //! What was read is known from the world, files that were asked for and not there among it, and folders that were
 //! listed. The folders of files are watched and not the files, since editors put new files in the place of old ones. One
-//! line a run, and a second where the outputs of the first are new in a folder that rules list; outputs that come out as they were are left alone, and where rules or layout are broken the last ones stay.
+//! line a run, and another run where the outputs of the first are new in a folder that rules list. Outputs that come out
+//! as they were are left alone, and where rules or layout are broken the last ones stay.
 
 use crate::cli::derive::{self, Done, Stop};
 use crate::cli::disk::{hash_now, is_listing, write_changed};
@@ -112,8 +113,8 @@ impl Watch<'_> {
 
     /// Where the folders that were listed lie.
     fn listed(&self) -> Vec<PathBuf> {
-        let folders = self.files.keys().filter(|path| is_listing(path));
-        folders.filter_map(|path| Path::new(path).canonicalize().ok()).collect()
+        let folders = self.files.iter().filter(|(path, known)| is_listing(path) && known.is_some());
+        folders.filter_map(|(path, _)| Path::new(path).canonicalize().ok()).collect()
     }
 
     /// Waits for a while; whether a file was touched, and all has been quiet since.
