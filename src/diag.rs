@@ -3,6 +3,7 @@
 //! Messages are lower case with names in backticks, say what was found and what would do; advice goes to the hints.
 //! Drawing them is the command's affair.
 
+use crate::text;
 use std::sync::Arc;
 
 /// A stretch of a source file, in bytes of its decoded text.
@@ -114,7 +115,7 @@ impl Diagnostic {
     /// The same with a "did you mean" where there is a likely candidate.
     pub fn did_you_mean(self, candidate: Option<&str>) -> Diagnostic {
         match candidate {
-            Some(name) => self.hint(format!("did you mean `{name}`?")),
+            Some(name) => self.hint(text::did_you_mean(name)),
             None => self,
         }
     }

@@ -19,6 +19,16 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .map(|(_, c)| c)
 }
 
+/// The question after a likely slip of the pen, as a hint of its own.
+pub fn did_you_mean(near: &str) -> String {
+    format!("did you mean `{near}`?")
+}
+
+/// The same as the end of a message, with the colon before it; nothing where nothing is near.
+pub fn suggestion(near: Option<&str>) -> String {
+    near.map_or(String::new(), |near| format!(": {}", did_you_mean(near)))
+}
+
 /// A number as people write it: at most `decimals` places, no trailing zeros, never `-0`.
 pub fn number(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
@@ -106,6 +116,8 @@ mod tests {
         assert_eq!(nearest("extrdue", names), Some("extrude"));
         assert_eq!(nearest("window", names), None);
         assert_eq!(nearest("A", ["B", "C"]), None);
+        assert_eq!(suggestion(nearest("splt", names)), ": did you mean `split`?");
+        assert_eq!(suggestion(None), "");
     }
 
     #[test]

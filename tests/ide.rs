@@ -161,6 +161,28 @@ fn every_operation_and_function_has_a_page() {
 }
 
 #[test]
+fn two_attributes_are_not_made_one() {
+    let plants = "attr spacing = 3\nRow --> split(x) { ~spacing : Tree }*\n";
+    let rename = |near: &str, asked: &str, word: &str, new: &str| {
+        let world = MemoryWorld::default().with("plants.cga", plants).with("near.cga", near);
+        let files = ["near.cga", "plants.cga"].map(String::from);
+        let desk = Desk::new(&world, Catalogue::built_in()).with_files(&files);
+        let text = if asked == "near.cga" { near } else { plants };
+        desk.rename(asked, text.find(word).expect("the word"), new).map_err(|refusal| refusal.to_string())
+    };
+    let own = |parentheses: &str| format!("import p : \"plants.cga\" {parentheses}\nattr width = 5\nLot --> p.Row\n");
+    let refusal = rename(&own(""), "plants.cga", "spacing", "width").expect_err("a refusal");
+    assert!(refusal.contains("`near.cga`") && refusal.contains("`width`"), "{refusal}");
+    let refusal = rename(&own(""), "near.cga", "width", "spacing").expect_err("a refusal");
+    assert!(refusal.contains("`plants.cga`") && refusal.contains("`spacing`"), "{refusal}");
+    for held in ["()", "(spacing)", "(spacing = 4)"] {
+        assert!(rename(&own(held), "plants.cga", "spacing", "width").is_ok(), "{held} holds it back");
+        assert!(rename(&own(held), "near.cga", "width", "spacing").is_ok(), "{held} holds it back");
+    }
+    assert!(rename(&own("(Row --> NIL)"), "plants.cga", "spacing", "width").is_err(), "a rule holds nothing back");
+}
+
+#[test]
 fn the_library_is_not_renamed() {
     let text = "import edge : \"bosquet:patterns/boundary.cga\"\nLot --> edge.Planting";
     let world = MemoryWorld::default().with("a.cga", text);

@@ -2,7 +2,6 @@
 
 use crate::check::Checker;
 use crate::check::code::{Code, Kind, Measure};
-use crate::check::expressions::words;
 use crate::check::program::Selector;
 use crate::diag::{Diagnostic, Span};
 use crate::ops::{self, Gather};
@@ -42,7 +41,7 @@ impl Checker {
                 kind if all == Kind::Unknown => all = kind,
                 kind if kind != all => {
                     let message =
-                        format!("an array holds values of one kind: found {} after {}", words(kind), words(all));
+                        format!("an array holds values of one kind: found {} after {}", kind.words(), all.words());
                     self.tell(Diagnostic::error("kind", expr.span, message));
                     return Kind::Unknown;
                 }
@@ -70,7 +69,7 @@ impl Checker {
     pub(super) fn index(&mut self, array: &Expr, indices: &[Expr], span: Span) -> (Code, Kind) {
         let (code, kind) = self.value(array);
         if kind != Kind::Unknown && !kind.is_array() {
-            let message = format!("only an array is indexed, found {}", words(kind));
+            let message = format!("only an array is indexed, found {}", kind.words());
             self.tell(Diagnostic::error("kind", array.span, message));
         }
         if indices.len() > 2 {
@@ -87,7 +86,7 @@ impl Checker {
                 Kind::Truth | Kind::Text | Kind::Texts => {
                     let message = format!(
                         "an array is indexed with a number, or an array of numbers or truth values, found {}",
-                        words(of)
+                        of.words()
                     );
                     self.tell(Diagnostic::error("kind", index.span, message));
                 }
@@ -105,7 +104,7 @@ impl Checker {
             BinaryOp::And | BinaryOp::Or => {
                 for (kind, expr) in [(a_kind, left), (b_kind, right)] {
                     if !matches!(kind.element(), Kind::Truth | Kind::Unknown) {
-                        let message = format!("truth values are wanted here, found {}", words(kind));
+                        let message = format!("truth values are wanted here, found {}", kind.words());
                         self.tell(Diagnostic::error("kind", expr.span, message));
                     }
                 }
@@ -136,7 +135,7 @@ impl Checker {
             kinds.push((kind, expr));
         }
         for (kind, expr) in kinds.iter().filter(|(kind, _)| kind.is_array()) {
-            let message = format!("each component has one value here, found {}", words(*kind));
+            let message = format!("each component has one value here, found {}", kind.words());
             self.tell(Diagnostic::error("kind", expr.span, message));
         }
         let kind = self.one_kind(kinds.into_iter());

@@ -4,7 +4,7 @@ use crate::check::code::{Code, Kind};
 use crate::check::{Checker, advice};
 use crate::diag::{Diagnostic, Span};
 use crate::functions;
-use crate::ops::{Param, ParamKind, Spec, UNBUILT_FUNCTIONS};
+use crate::ops::{Param, ParamKind, Spec};
 use crate::syntax::ast::{Arg, Expr, ExprKind};
 use crate::text::nearest;
 use crate::value::Value;
@@ -116,11 +116,6 @@ impl Checker {
     fn unknown(&mut self, name: &Arc<str>, call: bool, span: Span) -> (Code, Kind) {
         let zero = (Code::Value(Value::Float(0.0)), Kind::Unknown);
         if self.is_lost(name) {
-            return zero;
-        }
-        if let Some(unbuilt) = UNBUILT_FUNCTIONS.iter().find(|u| u.name == &**name) {
-            let message = format!("`{name}` ({}) is CityEngine's; bosquet does not have it yet", unbuilt.does);
-            self.tell(Diagnostic::error("unbuilt", span, message).hint("`bosquet ops` lists what there is"));
             return zero;
         }
         let arities = self.other_arities(name);

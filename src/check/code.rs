@@ -26,6 +26,21 @@ pub enum Kind {
     Unknown,
 }
 
+impl Kind {
+    /// What messages call it.
+    pub fn words(self) -> &'static str {
+        match self {
+            Kind::Number => "a number",
+            Kind::Truth => "a truth value",
+            Kind::Text => "a text",
+            Kind::Numbers => "an array of numbers",
+            Kind::Truths => "an array of truth values",
+            Kind::Texts => "an array of texts",
+            Kind::Unknown => "a value",
+        }
+    }
+}
+
 /// A checked expression.
 #[derive(Clone)]
 pub enum Code {

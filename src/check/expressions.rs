@@ -53,7 +53,7 @@ impl Checker {
 
     fn expect_truth(&mut self, kind: Kind, span: Span) {
         if !matches!(kind, Kind::Truth | Kind::Unknown) {
-            let message = format!("a condition must be true or false, found {}", words(kind));
+            let message = format!("a condition must be true or false, found {}", kind.words());
             let hint = "compare it, as in `x > 0` or `name == \"oak\"`";
             self.tell(Diagnostic::error("kind", span, message).hint(hint));
         }
@@ -61,7 +61,7 @@ impl Checker {
 
     fn expect_number(&mut self, kind: Kind, span: Span) {
         if !matches!(kind, Kind::Number | Kind::Unknown) {
-            let message = format!("a number is wanted here, found {}", words(kind));
+            let message = format!("a number is wanted here, found {}", kind.words());
             let diagnostic = Diagnostic::error("kind", span, message);
             self.tell(match kind.is_array() {
                 true => diagnostic.hint("operators with a dot before them, `.+`, work element by element"),
@@ -129,7 +129,7 @@ impl Checker {
             _ => {
                 let known = left.0 != Kind::Unknown && right.0 != Kind::Unknown;
                 if known && left.0 != right.0 {
-                    let message = format!("{} is compared with {}", words(left.0), words(right.0));
+                    let message = format!("{} is compared with {}", left.0.words(), right.0.words());
                     self.tell(Diagnostic::error("kind", left.1.to(right.1), message));
                 }
                 Kind::Truth
@@ -178,18 +178,5 @@ impl Checker {
             let message = format!("the percentages sum to {}, more than 100", crate::text::number(sum, 3));
             self.tell(Diagnostic::error("percentages", span, message).hint("the `else` takes what is left of 100"));
         }
-    }
-}
-
-/// A kind as messages say it.
-pub(super) fn words(kind: Kind) -> &'static str {
-    match kind {
-        Kind::Number => "a number",
-        Kind::Truth => "a truth value",
-        Kind::Text => "a text",
-        Kind::Numbers => "an array of numbers",
-        Kind::Truths => "an array of truth values",
-        Kind::Texts => "an array of texts",
-        Kind::Unknown => "a value",
     }
 }

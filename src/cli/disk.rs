@@ -1,6 +1,7 @@
 //! The world on disk: reads below the folders it was opened for, up to a size, and keeps in mind what was read; and
 //! files written whole or not at all.
 
+use crate::cli::walk::walk;
 use bosquet::world::{World, WorldError};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
@@ -12,9 +13,9 @@ pub struct Disk {
     folders: Vec<PathBuf>,
     is_open: bool,
     most_bytes: u64,
-    /// The hash of every file that was read.
+    /// The hash of every file that was read, and of every listing; folders end in `/`.
     hashes: Mutex<BTreeMap<String, String>>,
-    /// Every file that was asked for, there or not.
+    /// Every file and folder that was asked for, there or not.
     asked: Mutex<BTreeSet<String>>,
 }
 
@@ -49,12 +50,12 @@ impl Disk {
         Ok(bytes)
     }
 
-    /// Every file that was read so far with its BLAKE3 hash in hexadecimal, by path.
+    /// Every file that was read and every folder that was listed so far with its BLAKE3 hash in hexadecimal, by path.
     pub fn inputs(&self) -> Vec<(String, String)> {
         self.hashes.lock().unwrap_or_else(PoisonError::into_inner).clone().into_iter().collect()
     }
 
-    /// Every file that was asked for so far, with the hash of what was read; none where it could not be.
+    /// Every file and folder that was asked for so far, with the hash of what was read; none where it could not be.
     pub fn asked(&self) -> BTreeMap<String, Option<String>> {
         let hashes = self.hashes.lock().unwrap_or_else(PoisonError::into_inner);
         let asked = self.asked.lock().unwrap_or_else(PoisonError::into_inner);
@@ -88,14 +89,16 @@ impl World for Disk {
     }
 
     fn list(&self, folder: &str) -> Result<Vec<String>, WorldError> {
-        let place = if folder.is_empty() { "." } else { folder };
-        let real = Path::new(place).canonicalize().map_err(|error| unreadable(place, &error))?;
-        if !self.shows(&real) {
+        let place = if folder.is_empty() { "./" } else { folder };
+        let real = Path::new(place).canonicalize();
+        // What lies outside stays there, and need not be kept in mind.
+        if real.as_ref().is_ok_and(|real| !self.shows(real)) {
             return Err(WorldError::Outside(place.into()));
         }
-        let mut files = Vec::new();
-        collect(&real, folder, &mut files).map_err(|error| unreadable(place, &error))?;
-        files.sort_unstable();
+        self.asked.lock().unwrap_or_else(PoisonError::into_inner).insert(place.into());
+        let real = real.map_err(|error| unreadable(place, &error))?;
+        let files = below(&real, folder).map_err(|error| unreadable(place, &error))?;
+        self.hashes.lock().unwrap_or_else(PoisonError::into_inner).insert(place.into(), listing_hash(&files));
         Ok(files)
     }
 }
@@ -103,22 +106,40 @@ impl World for Disk {
 /// Files of one listing: a folder with more is probably not the place's.
 const MOST_LISTED: usize = 200_000;
 
-/// The files below a folder, hidden ones aside, under a prefix. Links to folders are not followed, so there is no circle.
-fn collect(folder: &Path, prefix: &str, files: &mut Vec<String>) -> std::io::Result<()> {
-    let mut entries = std::fs::read_dir(folder)?.collect::<Result<Vec<_>, _>>()?;
-    entries.sort_unstable_by_key(std::fs::DirEntry::file_name);
-    for entry in entries {
-        let name = entry.file_name();
-        let Some(name) = name.to_str().filter(|name| !name.starts_with('.')) else { continue };
+/// The files below a folder, sorted, under a prefix. Those with names that are no text cannot be asked for.
+fn below(folder: &Path, prefix: &str) -> std::io::Result<Vec<String>> {
+    let mut files = Vec::new();
+    walk(folder, usize::MAX, &mut |path| {
         if files.len() >= MOST_LISTED {
             return Err(std::io::Error::other(format!("there are more than {MOST_LISTED} files below it")));
         }
-        match entry.file_type()? {
-            kind if kind.is_dir() => collect(&entry.path(), &format!("{prefix}{name}/"), files)?,
-            _ => files.push(format!("{prefix}{name}")),
-        }
+        let path = path?;
+        let parts = path.strip_prefix(folder).unwrap_or(&path).iter().map(std::ffi::OsStr::to_str);
+        files.extend(parts.collect::<Option<Vec<_>>>().map(|parts| format!("{prefix}{}", parts.join("/"))));
+        Ok(())
+    })?;
+    files.sort_unstable();
+    Ok(files)
+}
+
+/// The hash of a listing: it changes as files come and go.
+fn listing_hash(files: &[String]) -> String {
+    hash(files.join("\n").as_bytes())
+}
+
+/// Whether a path that was asked for is a folder's, which was listed.
+pub fn is_listing(path: &str) -> bool {
+    path.ends_with('/')
+}
+
+/// The hash of a file or listing as it is now; none where it cannot be read.
+pub fn hash_now(path: &str) -> Option<String> {
+    if !is_listing(path) {
+        return std::fs::read(path).ok().map(|bytes| hash(&bytes));
     }
-    Ok(())
+    let prefix = if path == "./" { "" } else { path };
+    let files = below(&Path::new(path).canonicalize().ok()?, prefix).ok()?;
+    Some(listing_hash(&files))
 }
 
 /// The BLAKE3 hash in hexadecimal.

@@ -1,6 +1,7 @@
 //! `bosquet fmt`: rule files laid out evenly, in place, or checked for it.
 
 use crate::cli::disk::{Disk, write_all};
+use crate::cli::walk::{is_rules, walk};
 use crate::cli::{Ended, limits::STACK, show};
 use bosquet::syntax::{Source, format};
 use bosquet::text::counted;
@@ -36,7 +37,7 @@ pub fn run(arguments: &Arguments) -> Ended {
 fn format_all(arguments: &Arguments) -> Ended {
     let mut files = Vec::new();
     for path in &arguments.files {
-        if let Err(error) = gather(path, true, &mut files) {
+        if let Err(error) = gather(path, &mut files) {
             return Ended::Usage(format!("`{}` cannot be read: {error}", path.display()));
         }
     }
@@ -54,20 +55,17 @@ fn format_all(arguments: &Arguments) -> Ended {
     if failed || arguments.check && changed > 0 { Ended::Wrong } else { Ended::Well }
 }
 
-/// The rule files of a folder, in order of their names, or the path itself.
-fn gather(path: &Path, is_named: bool, files: &mut Vec<PathBuf>) -> std::io::Result<()> {
-    let is_folder = !is_stream(path) && std::fs::metadata(path)?.is_dir();
-    if !is_folder {
-        if is_named || path.extension().is_some_and(|ending| ending == "cga") {
-            files.push(path.to_owned());
-        }
+/// The rule files below a folder, in order of their names, or the path itself.
+fn gather(path: &Path, files: &mut Vec<PathBuf>) -> std::io::Result<()> {
+    if is_stream(path) || !std::fs::metadata(path)?.is_dir() {
+        files.push(path.to_owned());
         return Ok(());
     }
-    let mut inside = std::fs::read_dir(path)?.map(|entry| entry.map(|e| e.path())).collect::<Result<Vec<_>, _>>()?;
-    inside.sort();
-    // Links inside a folder may lead in circles, or out of what was meant.
-    inside.retain(|path| !path.is_symlink());
-    inside.iter().try_for_each(|path| gather(path, false, files))
+    walk(path, usize::MAX, &mut |file| {
+        // Links may lead out of what was meant.
+        files.extend(Some(file?).filter(|file| is_rules(file) && !file.is_symlink()));
+        Ok(())
+    })
 }
 
 /// Formats a file; tells whether that changes it. What is wrong with it has been said.

@@ -25,6 +25,7 @@ mod show;
 mod statistics;
 mod stats;
 mod tree;
+mod walk;
 mod watch;
 
 use clap::{Parser, Subcommand};

@@ -4,9 +4,9 @@ use crate::cli::Ended;
 use crate::cli::show::print;
 use bosquet::element::{Catalogue, Words};
 use bosquet::functions::{self, Function};
-use bosquet::ops::{OPERATIONS, Origin, Spec, UNBUILT_FUNCTIONS, UNBUILT_OPERATIONS, Unbuilt};
+use bosquet::ops::{OPERATIONS, Origin, Spec, UNBUILT_OPERATIONS, Unbuilt};
 use bosquet::plant::Growth;
-use bosquet::text::nearest;
+use bosquet::text::{nearest, suggestion};
 use serde_json::json;
 
 /// Arguments of `bosquet ops`.
@@ -40,7 +40,7 @@ pub fn run(arguments: &Arguments) -> Ended {
 fn one(name: &str, as_json: bool) -> Ended {
     let operation = bosquet::ops::find(name);
     let function = functions::find(name);
-    let missing = UNBUILT_OPERATIONS.iter().chain(UNBUILT_FUNCTIONS).find(|u| u.name == name);
+    let missing = UNBUILT_OPERATIONS.iter().find(|u| u.name == name);
     match (operation, function, missing) {
         (Some(operation), _, _) if as_json => print_json(&operation_json(operation.spec)),
         (Some(operation), _, _) => print(page(operation.spec)),
@@ -52,8 +52,7 @@ fn one(name: &str, as_json: bool) -> Ended {
         (None, None, None) => {
             let built = OPERATIONS.iter().flat_map(|o| o.spec.aliases.iter().copied().chain([o.spec.name]));
             let near = nearest(name, built.chain(functions::all().map(|f| f.name)));
-            let advice = near.map(|n| format!(": did you mean `{n}`?")).unwrap_or_default();
-            return Ended::Usage(format!("there is no operation or function `{name}`{advice}"));
+            return Ended::Usage(format!("there is no operation or function `{name}`{}", suggestion(near)));
         }
     }
     Ended::Well
@@ -66,13 +65,13 @@ fn print_json(value: &serde_json::Value) {
 fn overview() -> String {
     let mut text = String::from("Operations (`bosquet ops NAME` tells all of one)\n\n");
     for operation in OPERATIONS {
-        text += &format!("  {}\n      {}\n", operation.spec.usage(), first_sentence(operation.spec.docs));
+        text += &format!("  {}\n      {}\n", operation.spec.usage(), operation.spec.summary());
     }
     let counts = [
         (functions::all().count(), "functions"),
         (Catalogue::built_in().covers().count(), "covers"),
         (Catalogue::built_in().entries().count(), "elements"),
-        (UNBUILT_OPERATIONS.len() + UNBUILT_FUNCTIONS.len(), "unbuilt"),
+        (UNBUILT_OPERATIONS.len(), "unbuilt"),
     ];
     text += "\nMore\n\n";
     for (count, name) in counts {
@@ -81,27 +80,16 @@ fn overview() -> String {
     text
 }
 
-/// The first sentence of a text that is broken into lines.
-fn first_sentence(docs: &str) -> String {
-    let lines: Vec<&str> = docs.lines().map(str::trim).take_while(|l| !l.is_empty() && !l.starts_with("```")).collect();
-    let paragraph = lines.join(" ");
-    paragraph.find(". ").map_or(paragraph.clone(), |end| paragraph[..=end].to_owned())
-}
-
 fn page(spec: &Spec) -> String {
-    let mut text = format!("{}\n\n", spec.usage());
-    spec.docs.lines().for_each(|line| text += &format!("{}\n", line.strip_prefix(' ').unwrap_or(line)));
+    let mut text = format!("{}\n\n{}", spec.usage(), spec.prose());
     if !spec.params.is_empty() {
         text += "\n";
     }
     for param in spec.params {
         let default = param.default.map(|d| format!(", {d} where not given")).unwrap_or_default();
-        text += &format!("  {}: {}{default}\n      {}\n", param.name, param.kind.words(), param.docs.trim());
+        text += &format!("  {}: {}{default}\n      {}\n", param.name, param.kind.words(), param.meaning());
     }
-    if !spec.aliases.is_empty() {
-        text += &format!("\nAlso called {}.\n", spec.aliases.join(", "));
-    }
-    text
+    text + &spec.also_called()
 }
 
 fn function_line(function: &Function) -> String {
@@ -145,12 +133,8 @@ fn palettes() -> String {
 }
 
 fn unbuilt() -> String {
-    let list = |title: &str, items: &[Unbuilt]| {
-        let lines: String = items.iter().map(|u| format!("  {:<28} {}\n", u.name, u.does)).collect();
-        format!("{title}\n\n{lines}\n")
-    };
-    list("Operations of CityEngine that bosquet does not have yet", UNBUILT_OPERATIONS)
-        + &list("Functions of CityEngine that bosquet does not have yet", UNBUILT_FUNCTIONS)
+    let lines: String = UNBUILT_OPERATIONS.iter().map(|u| format!("  {:<28} {}\n", u.name, u.does)).collect();
+    format!("Operations of CityEngine that bosquet does not have yet\n\n{lines}")
 }
 
 fn operation_json(spec: &Spec) -> serde_json::Value {
@@ -175,8 +159,5 @@ fn function_json(function: &Function) -> serde_json::Value {
 
 fn unbuilt_json() -> serde_json::Value {
     let one = |u: &Unbuilt| json!({"name": u.name, "does": u.does});
-    json!({
-        "operations": UNBUILT_OPERATIONS.iter().map(one).collect::<Vec<_>>(),
-        "functions": UNBUILT_FUNCTIONS.iter().map(one).collect::<Vec<_>>(),
-    })
+    json!({ "operations": UNBUILT_OPERATIONS.iter().map(one).collect::<Vec<_>>() })
 }

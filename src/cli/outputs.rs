@@ -6,7 +6,7 @@ use bosquet::export::report::{ReportInput, report_json};
 use bosquet::export::schedule::schedule_csv;
 use bosquet::export::surfaces::surfaces_geojson;
 use bosquet::scene::Scene;
-use bosquet::text::nearest;
+use bosquet::text::{nearest, suggestion};
 use std::path::PathBuf;
 
 /// What every writer may use.
@@ -76,7 +76,7 @@ impl Output {
 fn of_kind(name: &str, ending: &str) -> Result<Writer, String> {
     let Some(kind) = KINDS.iter().find(|kind| kind.name == name) else {
         let known: Vec<&str> = KINDS.iter().map(|kind| kind.name).collect();
-        let near = nearest(name, known.iter().copied()).map(|n| format!(": did you mean `{n}`?")).unwrap_or_default();
+        let near = suggestion(nearest(name, known.iter().copied()));
         return Err(format!("there is no output kind `{name}`{near} (there are {})", known.join(", ")));
     };
     let found = kind.endings.iter().find(|(known, _)| *known == ending);

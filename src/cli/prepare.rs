@@ -9,7 +9,7 @@ use bosquet::diag::Diagnostic;
 use bosquet::element::Catalogue;
 use bosquet::layout::Layout;
 use bosquet::seed::Seed;
-use bosquet::text::{counted, nearest};
+use bosquet::text::{counted, nearest, suggestion};
 use bosquet::value::{Array, Cells, Value};
 use bosquet::world::World;
 use std::sync::Arc;
@@ -122,8 +122,7 @@ fn start(basis: &Basis, program: &Program) -> Result<(), String> {
         return Ok(());
     };
     let near = nearest(start, program.starts.iter().map(|(name, _)| &**name));
-    let advice = near.map(|n| format!(": did you mean `{n}`?")).unwrap_or_default();
-    Err(format!("`{}` has no rule `{start}` without arguments{advice}", basis.rules))
+    Err(format!("`{}` has no rule `{start}` without arguments{}", basis.rules, suggestion(near)))
 }
 
 fn catalogue(basis: &Basis, world: &Disk, found: &mut Vec<Diagnostic>) -> Catalogue {
@@ -147,19 +146,12 @@ fn settings(program: &Program, set: &[(String, toml::Value)]) -> Result<Vec<(usi
         .map(|(name, value)| {
             let Some(slot) = program.slot(name) else {
                 let near = nearest(name, program.public_attributes().map(|(_, a)| &*a.name));
-                let advice = near.map(|n| format!(": did you mean `{n}`?")).unwrap_or_default();
-                return Err(format!("the rules have no attribute `{name}`{advice}"));
+                return Err(format!("the rules have no attribute `{name}`{}", suggestion(near)));
             };
             let kind = program.attributes[slot].kind;
             setting(value, kind).map(|value| (slot, value)).ok_or_else(|| {
-                let wanted = match kind {
-                    Kind::Number => "a number",
-                    Kind::Truth => "`true` or `false`",
-                    Kind::Numbers => "a list of numbers",
-                    Kind::Truths => "a list of truth values",
-                    Kind::Texts => "a list of texts",
-                    Kind::Text | Kind::Unknown => "a text",
-                };
+                // What a truth value is need not be known on a command line.
+                let wanted = if kind == Kind::Truth { "`true` or `false`" } else { kind.words() };
                 format!("`{name}` takes {wanted}, found `{value}`")
             })
         })

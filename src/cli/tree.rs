@@ -8,7 +8,7 @@ use crate::cli::{Ended, show};
 use bosquet::derive::Progress;
 use bosquet::diag::Diagnostic;
 use bosquet::layout::Layout;
-use bosquet::text::nearest;
+use bosquet::text::{nearest, suggestion};
 use bosquet::trace::{TreeOptions, tree_text};
 
 /// Shapes of a lot that are shown where no lot is asked for: what a person may still leaf through.
@@ -50,8 +50,7 @@ fn regions(layout: &Layout, lot: Option<&str>) -> Result<Vec<usize>, String> {
     let found: Vec<usize> = all.filter(|index| &*layout.regions[*index].id == lot).collect();
     if found.is_empty() {
         let near = nearest(lot, layout.regions.iter().map(|region| &*region.id));
-        let advice = near.map(|near| format!(": did you mean `{near}`?")).unwrap_or_default();
-        return Err(format!("the layout has no lot `{lot}`{advice}"));
+        return Err(format!("the layout has no lot `{lot}`{}", suggestion(near)));
     }
     Ok(found)
 }

@@ -1,11 +1,12 @@
 //! `bosquet derive --watch`: derives, and again whenever a file that was read changes, until Ctrl-C.
 //!
-//! What was read is known from the world, files that were asked for and not there among it. Their folders are watched
-//! and not the files, since editors put new files in the place of old ones. One line a run; outputs that come out as they
-//! were are left alone, and where rules or layout are broken the last ones stay.
+//! What was read is known from the world, files that were asked for and not there among it, and folders that were
+//! listed. The folders of files are watched and not the files, since editors put new files in the place of old ones. One
+//! line a run, and another run where the outputs of the first are new in a folder that rules list. Outputs that come out
+//! as they were are left alone, and where rules or layout are broken the last ones stay.
 
 use crate::cli::derive::{self, Done, Stop};
-use crate::cli::disk::{hash, write_changed};
+use crate::cli::disk::{hash_now, is_listing, write_changed};
 use crate::cli::job::{Arguments, Job};
 use crate::cli::prepare::{on_threads, world};
 use crate::cli::{Ended, progress, show};
@@ -47,8 +48,8 @@ struct Watch<'a> {
     arguments: &'a Arguments,
     watcher: RecommendedWatcher,
     events: Events,
-    /// The folders that are watched.
-    folders: BTreeSet<PathBuf>,
+    /// The folders that are watched, and whether with all below them.
+    folders: BTreeSet<(PathBuf, bool)>,
     /// What the last run read.
     files: Files,
     runs: usize,
@@ -80,7 +81,7 @@ impl Watch<'_> {
             Ok(job) => job,
             Err(message) => {
                 // The files of the last run are watched on: one of them is wrong.
-                self.files.iter_mut().for_each(|(path, known)| *known = now(path));
+                self.files.iter_mut().for_each(|(path, known)| *known = hash_now(path));
                 return show::tell(format_args!("{}: {why}error: {message}", self.runs));
             }
         };
@@ -88,7 +89,7 @@ impl Watch<'_> {
         let done = derive::once(self.arguments, &job, &world, progress, write_changed);
         // What could not be read, whether missing, too large or outside, is compared with what it is now.
         self.files =
-            world.asked().into_iter().map(|(path, hash)| (path.clone(), hash.or_else(|| now(&path)))).collect();
+            world.asked().into_iter().map(|(path, hash)| (path.clone(), hash.or_else(|| hash_now(&path)))).collect();
         if !matches!(done, Err(Stop::Stopped)) {
             let seconds = begun.elapsed().as_secs_f64();
             show::tell(format_args!("{}: {why}{}", self.runs, words(done, seconds)));
@@ -98,21 +99,32 @@ impl Watch<'_> {
     /// Watches the folders of all files; whether there are new ones among them.
     fn look(&mut self) -> bool {
         let before = self.folders.len();
-        for folder in self.files.keys().flat_map(|path| places(path)).filter_map(|p| Some(p.parent()?.to_path_buf())) {
-            if !self.folders.contains(&folder) && self.watcher.watch(&folder, RecursiveMode::NonRecursive).is_ok() {
-                self.folders.insert(folder);
+        let listed = self.listed().into_iter().map(|folder| (folder, true));
+        let beside = self.files.keys().flat_map(|path| places(path)).filter_map(|p| Some(p.parent()?.to_path_buf()));
+        for (folder, deep) in listed.chain(beside.map(|folder| (folder, false))).collect::<Vec<_>>() {
+            let mode = if deep { RecursiveMode::Recursive } else { RecursiveMode::NonRecursive };
+            let is_known = [true, deep].into_iter().any(|deep| self.folders.contains(&(folder.clone(), deep)));
+            if !is_known && self.watcher.watch(&folder, mode).is_ok() {
+                self.folders.insert((folder, deep));
             }
         }
         self.folders.len() > before
     }
 
+    /// Where the folders that were listed lie.
+    fn listed(&self) -> Vec<PathBuf> {
+        let folders = self.files.iter().filter(|(path, known)| is_listing(path) && known.is_some());
+        folders.filter_map(|(path, _)| Path::new(path).canonicalize().ok()).collect()
+    }
+
     /// Waits for a while; whether a file was touched, and all has been quiet since.
     fn waited(&self, progress: &Progress) -> bool {
         let files: BTreeSet<PathBuf> = self.files.keys().flat_map(|path| places(path)).collect();
+        let listed = self.listed();
         let mut touched = false;
         loop {
             match self.events.recv_timeout(if touched { QUIET } else { TICK }) {
-                Ok(Ok(event)) => touched |= concerns(&event, &files),
+                Ok(Ok(event)) => touched |= concerns(&event, &files, &listed),
                 // Events were lost: one of them may have been ours.
                 Ok(Err(_)) => touched = true,
                 Err(RecvTimeoutError::Timeout) => return touched,
@@ -129,7 +141,7 @@ impl Watch<'_> {
 
     /// The files that are not as the last run read them.
     fn changed(&self) -> Vec<String> {
-        self.files.iter().filter(|(path, known)| now(path) != **known).map(|(path, _)| path.clone()).collect()
+        self.files.iter().filter(|(path, known)| hash_now(path) != **known).map(|(path, _)| path.clone()).collect()
     }
 }
 
@@ -159,11 +171,7 @@ fn places(path: &str) -> Vec<PathBuf> {
     places
 }
 
-fn concerns(event: &notify::Event, files: &BTreeSet<PathBuf>) -> bool {
-    !event.kind.is_access() && (event.need_rescan() || event.paths.iter().any(|path| files.contains(path)))
-}
-
-/// The hash of a file as it is now; none where it cannot be read.
-fn now(path: &str) -> Option<String> {
-    std::fs::read(path).ok().map(|bytes| hash(&bytes))
+fn concerns(event: &notify::Event, files: &BTreeSet<PathBuf>, listed: &[PathBuf]) -> bool {
+    let is_one = |path: &PathBuf| files.contains(path) || listed.iter().any(|folder| path.starts_with(folder));
+    !event.kind.is_access() && (event.need_rescan() || event.paths.iter().any(is_one))
 }

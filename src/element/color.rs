@@ -2,10 +2,28 @@
 
 /// The colour that a text means: `#rgb`, `#rgba`, `#rrggbb`, `#rrggbbaa`, or `rgba(r g b a)` with shares of one.
 pub fn parse_color(text: &str) -> Option<[f32; 4]> {
-    match text.strip_prefix('#') {
-        Some(digits) => parse_hex(digits),
-        None => parse_shares(text.strip_prefix("rgba(")?.strip_suffix(')')?),
+    if let Some(shares) = text.strip_prefix("rgba(") {
+        return parse_shares(shares.strip_suffix(')')?);
     }
+    let bytes = color_bytes(text)?;
+    Some(std::array::from_fn(|index| bytes.get(index).map_or(1.0, |byte| f32::from(*byte) / 255.0)))
+}
+
+/// The bytes behind a `#`: three, or four with an opacity.
+pub fn color_bytes(text: &str) -> Option<Vec<u8>> {
+    let digits = text.strip_prefix('#')?.chars().map(|c| Some(c.to_digit(16)? as u8));
+    let digits: Vec<u8> = digits.collect::<Option<_>>()?;
+    match digits.len() {
+        3 | 4 => Some(digits.iter().map(|digit| digit * 17).collect()),
+        6 | 8 => Some(digits.chunks(2).map(|pair| pair[0] * 16 + pair[1]).collect()),
+        _ => None,
+    }
+}
+
+/// Shares from 0 to 1 as the nearest bytes behind a `#`; what lies outside is clamped, and what is no number is 0.
+pub fn hex_text(shares: impl IntoIterator<Item = f64>) -> String {
+    let byte = |share: f64| (share.clamp(0.0, 1.0) * 255.0).round() as u8;
+    shares.into_iter().fold(String::from("#"), |text, share| text + &format!("{:02x}", byte(share)))
 }
 
 /// The shortest text that [`parse_color`] reads back as exactly this colour.
@@ -14,19 +32,8 @@ pub fn color_text(color: [f32; 4]) -> String {
     if bytes.map(|byte| f32::from(byte) / 255.0) != color {
         return format!("rgba({} {} {} {})", color[0], color[1], color[2], color[3]);
     }
-    let [r, g, b, a] = bytes;
-    if a == 255 { format!("#{r:02x}{g:02x}{b:02x}") } else { format!("#{r:02x}{g:02x}{b:02x}{a:02x}") }
-}
-
-fn parse_hex(digits: &str) -> Option<[f32; 4]> {
-    let digits: Vec<u32> = digits.chars().map(|c| c.to_digit(16)).collect::<Option<_>>()?;
-    let bytes: Vec<u32> = match digits.len() {
-        3 | 4 => digits.iter().map(|d| d * 17).collect(),
-        6 | 8 => digits.chunks(2).map(|pair| pair[0] * 16 + pair[1]).collect(),
-        _ => return None,
-    };
-    let share = |i: usize| bytes.get(i).map_or(1.0, |byte| *byte as f32 / 255.0);
-    Some([share(0), share(1), share(2), share(3)])
+    let said = if bytes[3] == 255 { 3 } else { 4 };
+    hex_text(color.into_iter().take(said).map(f64::from))
 }
 
 fn parse_shares(text: &str) -> Option<[f32; 4]> {

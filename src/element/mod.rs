@@ -54,7 +54,7 @@ mod words;
 
 pub use appearance::Appearance;
 pub use catalogue::{Catalogue, Found, NotFound};
-pub use color::{color_text, parse_color};
+pub use color::{color_bytes, color_text, hex_text, parse_color};
 pub use entry::{Cover, Entry, Form, Kind, PlantFigures, Variant};
 pub use look::{Material, PlantSymbol, Texture};
 pub use model::{ModelBounds, ModelError, model_bounds};

@@ -1,5 +1,6 @@
 //! Shape attributes: read by name, some set by `set()`.
 
+use crate::element::hex_text;
 use crate::functions::coordinates::{angles, object};
 use crate::functions::{Function, Surroundings};
 use crate::value::Value;
@@ -97,9 +98,9 @@ pub(super) static LIST: &[Function] = &[
     attribute!("material.color.g", "Green, 0 to 1.", |a| channel(a, 1)).settable(),
     attribute!("material.color.b", "Blue, 0 to 1.", |a| channel(a, 2)).settable(),
     attribute!("material.opacity", "Opacity, 0 to 1.", |a| channel(a, 3)).settable(),
-    attribute!("material.color.rgb", "The colour as `#rrggbb`.", |a| {
-        let [r, g, b, _] = a.shape.style.color.unwrap_or([1.0; 4]).map(|c| (c * 255.0).round() as u8);
-        Value::text(format!("#{r:02x}{g:02x}{b:02x}"))
+    attribute!("material.color.rgb", "The colour as `#rrggbb`; `material.opacity` is apart.", |a| {
+        let color = a.shape.style.color.unwrap_or([1.0; 4]);
+        Value::text(hex_text(color.into_iter().take(3).map(f64::from)))
     })
     .text()
     .settable(),

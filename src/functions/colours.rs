@@ -1,6 +1,7 @@
 //! Colours as texts `#RRGGBB` and `#RRGGBBOO`: made of parts, taken apart, and looked up on ramps. Shares are 0 to 1,
 //! hues 0 to 360 degrees.
 
+use crate::element::{color_bytes, hex_text};
 use crate::functions::Function;
 use crate::functions::args::{any, number, text_at, wrong};
 use crate::functions::ramps;
@@ -84,17 +85,12 @@ pub(super) static LIST: &[Function] = &[
     .constant(),
 ];
 
-/// Red, green, blue and opacity; the opacity is 0 where the text has none.
+/// Red, green, blue and opacity; the opacity is 0 where the text has none. The `#` may be missing.
 fn parts(args: &[Value]) -> Result<[f64; 4], String> {
     let digits = text_at(args, 0)?.trim().trim_start_matches('#');
-    let well_formed = matches!(digits.len(), 6 | 8) && digits.bytes().all(|byte| byte.is_ascii_hexdigit());
-    let part = |index: usize| {
-        let pair = digits.get(2 * index..2 * index + 2).unwrap_or("0");
-        f64::from(u8::from_str_radix(pair, 16).unwrap_or(0)) / 255.0
-    };
-    match well_formed {
-        true => Ok(std::array::from_fn(part)),
-        false => Err(wrong("a colour as `\"#rrggbb\"` or `\"#rrggbboo\"`", any(args, 0)?)),
+    match color_bytes(&format!("#{digits}")) {
+        Some(bytes) => Ok(std::array::from_fn(|part| bytes.get(part).map_or(0.0, |byte| f64::from(*byte) / 255.0))),
+        None => Err(wrong("a colour as `\"#rrggbb\"` or `\"#rrggbboo\"`", any(args, 0)?)),
     }
 }
 
@@ -106,9 +102,9 @@ fn numbers<const N: usize>(args: &[Value]) -> Result<[f64; N], String> {
     Ok(numbers)
 }
 
+/// As CityEngine writes colours, in capitals.
 fn hex(shares: &[f64]) -> Value {
-    let byte = |share: &f64| (share.clamp(0.0, 1.0) * 255.0).round() as u8;
-    Value::text(shares.iter().fold(String::from("#"), |text, share| text + &format!("{:02X}", byte(share))))
+    Value::text(hex_text(shares.iter().copied()).to_uppercase())
 }
 
 /// Red, green and blue as hue, saturation and value.

@@ -1,5 +1,6 @@
 //! `material.*`: what a surface looks like beyond its colour. Scenes carry it; plans show name and colour alone.
 
+use crate::element::color_text;
 use crate::functions::args::text_at;
 use crate::functions::{Function, Gives, Surroundings};
 use crate::shape::Surface;
@@ -97,7 +98,10 @@ pub(super) static WHOLE: &[Function] = &[
         |_, around| {
             let style = &around.shape.style;
             let name = style.material.iter().map(|name| ["name".into(), name.clone()]);
-            let color = style.color.iter().map(|c| ["color.rgb".into(), crate::element::color_text(*c).into()]);
+            let color = style.color.iter().flat_map(|[r, g, b, opacity]| {
+                let color = color_text([*r, *g, *b, 1.0]);
+                [["color.rgb".into(), color.into()], ["opacity".into(), opacity.to_string().into()]]
+            });
             let stored = around.shape.attached().into_iter().flat_map(|surface| &surface.material);
             let stored = stored.map(|(name, value)| [name.clone(), value.to_string().into()]);
             Ok(rows(name.chain(color).chain(stored).flatten().collect()))

@@ -4,6 +4,7 @@ use crate::element::{Catalogue, Entry, NotFound, Words};
 use crate::functions::args::{number, text_at};
 use crate::functions::{Function, Surroundings};
 use crate::plant::{Sizes, sizes};
+use crate::text::suggestion;
 use crate::value::Value;
 
 macro_rules! size {
@@ -49,6 +50,5 @@ fn plant<'a>(catalogue: &'a Catalogue, name: &str) -> Result<&'a Entry, String> 
 }
 
 fn unknown(error: NotFound) -> String {
-    let advice = error.suggestion().map(|name| format!(": did you mean `{name}`?")).unwrap_or_default();
-    format!("finds no plant: {error}{advice}")
+    format!("finds no plant: {error}{}", suggestion(error.suggestion()))
 }

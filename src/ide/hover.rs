@@ -8,7 +8,7 @@ use crate::ide::imports::{imported_path, path_token};
 use crate::ide::page;
 use crate::ide::walk::Role;
 use crate::ide::{Desk, Place};
-use crate::ops::{self, Selectors, UNBUILT_FUNCTIONS, UNBUILT_OPERATIONS};
+use crate::ops::{self, Selectors, UNBUILT_OPERATIONS};
 use crate::syntax::TokenKind;
 use std::ops::Range;
 
@@ -109,9 +109,7 @@ impl Desk<'_> {
         if let Some(function) = functions::find(word) {
             return Some(page::function(function));
         }
-        let missing = UNBUILT_FUNCTIONS.iter().find(|unbuilt| unbuilt.name == word);
-        let missing = missing.map(|unbuilt| format!("`{word}` is CityEngine's and not built yet: {}.", unbuilt.does));
-        missing.or_else(|| catalogue::describe(self.catalogue, word))
+        catalogue::describe(self.catalogue, word)
     }
 
     /// Where the picture of an operation's example lies, if it is there.

@@ -60,6 +60,23 @@ impl Desk<'_> {
             }
         }
     }
+
+    /// The pairs of files, importing and imported, between which an import of the document would make one attribute of
+    /// `new` and of what is called `old` in the other of the two.
+    pub(super) fn merging(&self, document: &Document, old: &str, new: &str) -> Vec<(String, String)> {
+        let mut found = Vec::new();
+        for import in imports(document).filter(|import| !is_held(document, import, new)) {
+            let path = imported_path(self.world, document, import);
+            let Some(inner) = path.and_then(|path| self.document(&path)) else { continue };
+            // Where the parentheses hold back the old name, they are renamed too.
+            let below = is_given(document, new) && is_taken_over(&inner, old) && !is_held(document, import, old);
+            let above = is_given(document, old) && is_taken_over(&inner, new);
+            if below || above {
+                found.push((document.path().to_string(), inner.path().to_string()));
+            }
+        }
+        found
+    }
 }
 
 /// The imports of a document.
@@ -83,16 +100,24 @@ pub(super) fn path_token(document: &Document, import: &Definition) -> Option<usi
 
 /// The pairs of files between which an import of the document shares the attribute.
 fn shared(desk: &Desk, document: &Document, name: &str) -> Vec<(String, String)> {
-    let declares = |document: &Document, sorts: &[Sort]| {
-        document.named(name).any(|d| sorts.contains(&d.sort) && d.params.is_none())
-    };
-    if !declares(document, &[Sort::Attribute, Sort::Constant]) {
+    if !is_given(document, name) {
         return Vec::new();
     }
     let open = imports(document).filter(|import| !is_held(document, import, name));
     let paths = open.filter_map(|import| imported_path(desk.world, document, import));
-    let inner = paths.filter_map(|path| desk.document(&path)).filter(|inner| declares(inner, &[Sort::Attribute]));
+    let inner = paths.filter_map(|path| desk.document(&path)).filter(|inner| is_taken_over(inner, name));
     inner.map(|inner| (document.path().to_string(), inner.path().to_string())).collect()
+}
+
+/// Whether a document has a value of that name which reaches into its imports.
+fn is_given(document: &Document, name: &str) -> bool {
+    let reaches = |sort| matches!(sort, Sort::Attribute | Sort::Constant);
+    document.named(name).any(|d| reaches(d.sort) && d.params.is_none())
+}
+
+/// Whether a document has an attribute of that name, whose place one of an importing file takes.
+fn is_taken_over(document: &Document, name: &str) -> bool {
+    document.named(name).any(|d| d.sort == Sort::Attribute && d.params.is_none())
 }
 
 /// Whether the parentheses of an import keep the attribute apart: they are empty, or name it.

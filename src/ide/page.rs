@@ -36,7 +36,7 @@ pub(super) fn of_papers(name: &str) -> Option<&'static Operation> {
 
 /// The page of an operation, with a picture where there is one.
 pub(super) fn operation(spec: &Spec, picture: Option<&str>) -> String {
-    let mut text = fenced(&spec.usage()) + "\n" + &prose(spec.docs);
+    let mut text = fenced(&spec.usage()) + "\n" + &spec.prose();
     if let Some(picture) = picture {
         text += &format!("\n![{}]({picture})\n", spec.name);
     }
@@ -44,19 +44,14 @@ pub(super) fn operation(spec: &Spec, picture: Option<&str>) -> String {
         text += "\n";
     }
     spec.params.iter().for_each(|param| text += &format!("- `{}`: {}\n", param.name, parameter(param)));
-    if !spec.aliases.is_empty() {
-        let names: Vec<String> = spec.aliases.iter().map(|alias| format!("`{alias}`")).collect();
-        text += &format!("\nAlso called {}.\n", names.join(", "));
-    }
-    text
+    text + &spec.also_called()
 }
 
 /// What a parameter takes and means, on one line.
 pub(super) fn parameter(param: &Param) -> String {
-    let docs: Vec<&str> = param.docs.lines().map(str::trim).collect();
     let default = param.default.map_or(String::new(), |default| format!(", `{default}` where not given"));
     let usual = param.usual.map_or(String::new(), |[low, high]| format!(", usually {low} to {high}"));
-    format!("{} ({}{default}{usual})", docs.join(" ").trim(), param.kind.words())
+    format!("{} ({}{default}{usual})", param.meaning(), param.kind.words())
 }
 
 /// The page of a built-in function.
@@ -159,9 +154,4 @@ fn bare(line: &str) -> &str {
 
 fn fenced(code: &str) -> String {
     format!("```cga\n{code}\n```\n")
-}
-
-/// A doc comment as Markdown.
-fn prose(docs: &str) -> String {
-    docs.lines().map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(line))).collect()
 }

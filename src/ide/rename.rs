@@ -8,6 +8,7 @@ use crate::ide::{Desk, Place};
 use crate::library;
 use crate::ops::{self, Selectors};
 use crate::syntax::{TokenKind, pieces};
+use std::rc::Rc;
 
 /// A name that can be changed.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,17 +76,27 @@ impl Desk<'_> {
     /// What the new name would meet.
     fn clash(&self, identity: &Identity, new: &str) -> Option<String> {
         let around = self.around(identity.path());
-        for same in self.equals(identity, &around) {
+        self.equals(identity, &around).iter().find_map(|same| {
             let document = self.document(same.path())?;
-            let found = match &same {
-                Identity::Defined { class, .. } => defined_clash(&document, *class, new),
+            match same {
+                Identity::Defined { class, .. } => {
+                    defined_clash(&document, *class, new).or_else(|| self.merged(same, new, &around))
+                }
                 Identity::Local { piece, .. } => local_clash(&document, *piece, new),
-            };
-            if found.is_some() {
-                return found;
             }
-        }
-        None
+        })
+    }
+
+    /// An attribute of another file that would become one with this one under the new name, which nobody has asked for.
+    fn merged(&self, identity: &Identity, new: &str, around: &[Rc<Document>]) -> Option<String> {
+        let Identity::Defined { path, class: Class::Value, name } = identity else { return None };
+        let pairs = around.iter().flat_map(|document| self.merging(document, name, new));
+        let mut met = pairs.filter_map(|(outer, inner)| match (outer == *path, inner == *path) {
+            (true, _) => Some(format!("`{inner}`, which `{outer}` imports, has `{new}` already")),
+            (_, true) => Some(format!("`{outer}`, which imports `{inner}`, has `{new}` already")),
+            _ => None,
+        });
+        met.next()
     }
 }
 

@@ -12,12 +12,10 @@ const MADE: &str = "<!-- Made by `bosquet manual` from the declarations in src/:
 /// One operation: how it is called, what it does, its parameters, its example and what that looks like.
 pub fn operation(spec: &Spec) -> String {
     let mut text = format!("{MADE}# {}\n\n```text\n{}\n```\n\n", spec.name, spec.usage());
-    spec.docs.lines().for_each(|line| text += &format!("{}\n", line.strip_prefix(' ').unwrap_or(line)));
+    text += &spec.prose();
     text += &format!("\n![What the example gives on a lot of 40 by 30 m](../{})\n", picture_path(spec));
     text += &parameters(spec);
-    if !spec.aliases.is_empty() {
-        text += &format!("\nAlso called {}.\n", quoted(spec.aliases));
-    }
+    text += &spec.also_called();
     text += match spec.origin {
         Origin::CityEngine => "\nCityEngine has it under the same name.\n",
         Origin::Added => "\nbosquet's own: a rule of that name in a file takes its place.\n",
@@ -32,7 +30,7 @@ fn parameters(spec: &Spec) -> String {
     }
     let row = |param: &Param| {
         let default = param.default.map_or("must be given".to_string(), |default| format!("`{default}`"));
-        format!("| `{}` | {} | {default} | {} |\n", param.name, cell(&param.kind.words()), cell(param.docs))
+        format!("| `{}` | {} | {default} | {} |\n", param.name, cell(&param.kind.words()), cell(&param.meaning()))
     };
     let rows: String = spec.params.iter().map(row).collect();
     format!("\n| parameter | takes | where not given | what it is |\n| --- | --- | --- | --- |\n{rows}")
@@ -41,8 +39,9 @@ fn parameters(spec: &Spec) -> String {
 /// The list of everything.
 pub fn contents() -> String {
     let mut text = format!("{MADE}# The manual of the language\n\n");
-    text += "The language itself is told in [language.md](../language.md); [tutorial.md](tutorial.md) goes from an empty \
-             file to a planted square. Here stands every word that is built in.\n\n";
+    // No links: a manual may be written anywhere, and these two are the sources'.
+    text += "The language itself is told in `docs/language.md` of the sources; `docs/manual/tutorial.md` there goes from \
+             an empty file to a planted square. Here stands every word that is built in.\n\n";
     text += "- [functions and shape attributes](functions.md)\n- [selectors](selectors.md)\n\
              - [ground covers](covers.md)\n- [plants and things](elements.md)\n\n## Operations\n\n";
     for part in PARTS {
@@ -57,7 +56,7 @@ pub fn contents() -> String {
 
 /// A line of the contents.
 fn entry(spec: &Spec) -> String {
-    format!("- [`{}`]({}): {}\n", spec.name, page_path(spec), first_sentence(spec.docs))
+    format!("- [`{}`]({}): {}\n", spec.name, page_path(spec), spec.summary())
 }
 
 /// Every function with what it takes and gives.
@@ -103,13 +102,6 @@ pub fn elements() -> String {
         text += &format!("| `{}` | {} | {} | {} |\n", entry.category, entry.kind.word(), entry.species, quoted(&types));
     }
     text
-}
-
-/// The first sentence of a text that is broken into lines.
-pub fn first_sentence(docs: &str) -> String {
-    let lines: Vec<&str> = docs.lines().map(str::trim).take_while(|l| !l.is_empty() && !l.starts_with("```")).collect();
-    let paragraph = lines.join(" ");
-    paragraph.find(". ").map_or(paragraph.clone(), |end| paragraph[..=end].to_owned())
 }
 
 /// A text as the cell of a table.

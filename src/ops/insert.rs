@@ -77,7 +77,7 @@ pub(super) fn by_model<'a>(given: &'a Given, path: &str) -> Option<Found<'a>> {
 pub(super) fn not_found(error: NotFound) -> Problem {
     let problem = Problem::new(error.to_string());
     match error.suggestion() {
-        Some(name) => problem.hint(format!("did you mean `{name}`?")),
+        Some(name) => problem.hint(crate::text::did_you_mean(name)),
         None => problem.hint("`bosquet ops elements` lists the catalogue"),
     }
 }

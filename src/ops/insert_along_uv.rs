@@ -25,7 +25,7 @@ operation! {
         path: Word,
         /// How high it reaches (metres); 0 leaves the shape flat.
         height: Metres,
-        /// Which way it stands.
+        /// Which way it stands: `scope.y` on the side that is up, `vertex.normal` along the normals.
         up: Up = Up::Scope => "scope.y",
         /// How it lies along u.
         fit: Fit = Fit::Align => "alignPosition",
@@ -35,7 +35,7 @@ operation! {
 choice! {
     /// Which way an element stands.
     pub enum Up {
-        /// Along the scope's y.
+        /// Square to the shape, on the side that is up.
         Scope = "scope.y",
         /// Along the normals: the same on a flat shape.
         Normal = "vertex.normal",

@@ -6,6 +6,7 @@
 //! before it applies them: they find the leaves among what they are [`Given`].
 
 mod declare;
+mod prose;
 mod spec;
 mod unbuilt;
 
@@ -81,7 +82,7 @@ pub use gather::Gather;
 pub use ground::Ground;
 pub use spec::{AttributeName, BlockKind, Origin, Param, ParamKind, Parameter, Spec, Word};
 pub use split::Cut;
-pub use unbuilt::{UNBUILT_FUNCTIONS, UNBUILT_OPERATIONS, Unbuilt};
+pub use unbuilt::{UNBUILT_OPERATIONS, Unbuilt};
 
 use crate::element::Catalogue;
 use crate::geometry::Area;

@@ -181,7 +181,7 @@ fn no_palette(catalogue: &Catalogue, name: &str) -> Problem {
     let known: Vec<String> = catalogue.palettes().map(|palette| format!("`{}`", palette.name)).collect();
     let problem = at("palette", Problem::new(format!("there is no palette `{name}`, and no such plant")));
     match catalogue.nearest_palette(name) {
-        Some(near) => problem.hint(format!("did you mean `{near}`?")),
+        Some(near) => problem.hint(crate::text::did_you_mean(near)),
         None => problem.hint(format!("palettes are {}", known.join(", "))),
     }
 }

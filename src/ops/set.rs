@@ -1,5 +1,6 @@
 //! `set`: changes an attribute of a shape and its successors.
 
+use crate::element::color_bytes;
 use crate::ops::declare::operation;
 use crate::ops::{Apply, AttributeName, Given, Pieces, Problem};
 use crate::seed::Seed;
@@ -54,7 +55,7 @@ pub(super) fn built_in(shape: &mut Shape, name: &str, value: &Value) -> Result<(
         "envelope.seams" => style.envelope.seams = truth(name, value)?,
         "trim.horizontal" => shape.surface_mut().trim[0] = Some(truth(name, value)?),
         "trim.vertical" => shape.surface_mut().trim[1] = Some(truth(name, value)?),
-        "material.color.rgb" => style.color = Some(super::color::parse(&value.to_string())?),
+        "material.color.rgb" => style.color = Some(recoloured(style.color, &value.to_string())?),
         _ => {
             let channel = ["material.color.r", "material.color.g", "material.color.b", "material.opacity"];
             match (channel.iter().position(|c| *c == name), name.strip_prefix("material.")) {
@@ -65,6 +66,14 @@ pub(super) fn built_in(shape: &mut Shape, name: &str, value: &Value) -> Result<(
         }
     }
     Ok(())
+}
+
+/// The colour of a text, with the opacity that there was where the text has none.
+fn recoloured(old: Option<[f32; 4]>, text: &str) -> Result<[f32; 4], Problem> {
+    let [r, g, b, said] = super::color::parse(text)?;
+    let keeps = color_bytes(text).is_some_and(|bytes| bytes.len() == 3);
+    let opacity = old.filter(|_| keeps).map_or(said, |[.., opacity]| opacity);
+    Ok([r, g, b, opacity])
 }
 
 /// A bare word is a text by now.

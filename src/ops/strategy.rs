@@ -166,7 +166,7 @@ impl Shared<'_> {
 /// A name that nothing has.
 pub fn unheard(parameter: &'static str, name: &str, given: &Given) -> Remark {
     let near = crate::text::nearest(name, given.names.into_iter().flatten().map(|name| &**name));
-    let near = near.map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
+    let near = near.map_or(String::new(), |near| format!("; {}", crate::text::did_you_mean(near)));
     let message = format!("nothing is called `{name}`: no kind or layer of the layout and no label of the rules{near}");
     Remark { message, parameter: Some(parameter), is_note: false }
 }

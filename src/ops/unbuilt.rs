@@ -1,6 +1,6 @@
 //! What CityEngine has and bosquet has not yet: the one list that checker and manual read.
 
-/// An operation or function of CityEngine that is known by name only.
+/// An operation of CityEngine that is known by name only.
 #[derive(Debug)]
 pub struct Unbuilt {
     /// Its name.
@@ -13,9 +13,6 @@ const fn unbuilt(name: &'static str, does: &'static str) -> Unbuilt {
     Unbuilt { name, does }
 }
 
-/// Operations.
+/// All of them; of the functions none is missing.
 pub static UNBUILT_OPERATIONS: &[Unbuilt] =
     &[unbuilt("envelope", "makes a zoning envelope"), unbuilt("modify", "changes components in place")];
-
-/// Functions.
-pub static UNBUILT_FUNCTIONS: &[Unbuilt] = &[];

@@ -21,7 +21,7 @@ pub struct TreeOptions<'a> {
     pub most: usize,
 }
 
-/// All of it.
+/// Every shape at every depth, without seeds and attributes: those need the program.
 impl Default for TreeOptions<'_> {
     fn default() -> Self {
         TreeOptions { program: None, depth: usize::MAX, most: usize::MAX }

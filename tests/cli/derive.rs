@@ -132,7 +132,7 @@ fn lists_come_from_the_layout_the_manifest_and_the_command_line() {
     bench
         .bosquet("derive lot.geojson --rules rules.cga --set list=7")
         .ends(2)
-        .says(&["`list` takes a list of numbers"]);
+        .says(&["`list` takes an array of numbers"]);
     let manifest = "layout = 'lot.geojson'\nrules = 'rules.cga'\nattributes.list = [5]\n";
     let bench = bench.with("bosquet.toml", manifest);
     assert_eq!(bench.bosquet("derive . -o a.svg").ends(0).out, "1 Lot: [5]\n1 Lot: [a]\n");

@@ -18,6 +18,15 @@ fn files_are_replaced_and_folders_walked() {
 }
 
 #[test]
+fn folders_of_other_tools_are_passed_over() {
+    let kept = ["in/.git/a.cga", "in/.b.cga", "in/node_modules/c.cga", "in/target/d.cga"];
+    let bench = kept.iter().fold(Bench::new().with("in/e.cga", RAGGED), |bench, file| bench.with(file, RAGGED));
+    let bench = bench.with("in/target/CACHEDIR.TAG", "");
+    bench.bosquet("fmt in").ends(0).says(&["1 of 1 file laid out anew"]);
+    kept.iter().for_each(|file| assert_eq!(bench.text(file), RAGGED, "{file}"));
+}
+
+#[test]
 fn a_check_names_the_files_and_changes_none() {
     let bench = Bench::new().with("a.cga", RAGGED).with("b.cga", EVEN);
     let ran = bench.bosquet("fmt --check a.cga b.cga").ends(1);

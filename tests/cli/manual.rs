@@ -55,6 +55,7 @@ fn all_chapters_print_and_unknown_names_get_advice() {
         assert!(bench.run(&["ops", chapter]).ends(0).out.lines().count() > least, "{chapter}");
     }
     bench.bosquet("ops extrud").ends(2).says(&["did you mean `extrude`?"]);
+    assert!(!bench.run(&["ops", "unbuilt"]).ends(0).out.contains("Functions"), "no heading without a list");
     let unbuilt = manual(&bench)["unbuilt"]["operations"][0]["name"].as_str().expect("a name").to_owned();
     assert!(bench.run(&["ops", &unbuilt]).ends(0).out.contains("does not have it yet"));
 }

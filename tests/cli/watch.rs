@@ -97,6 +97,22 @@ fn an_import_that_is_not_there_yet_is_waited_for() {
 }
 
 #[test]
+fn a_new_file_that_a_search_finds_is_a_change() {
+    let rules = "Lot --> print(size(filesSearch(\"trees/*.txt\"))) Lawn";
+    let bench = Bench::two_lots(rules).with("trees/oak.txt", "").with("trees/old/elm.txt", "");
+    bench.derive_two("-o a.svg -o report:r.json").ends(0);
+    let inputs = bench.json("r.json")["inputs"].to_string();
+    assert!(inputs.contains("\"./\""), "the listing is an input: {inputs}");
+    let mut watching = Watching::new(&bench, "derive two.geojson --rules rules.cga --watch -o a.svg");
+    assert!(watching.run(1).ends_with("nothing new"));
+    edit(&bench, "trees/lime.txt", "");
+    let second = watching.run(2);
+    assert!(second.contains("./ changed"), "{second}");
+    edit(&bench, "trees/old/ash.txt", "");
+    assert!(watching.run(3).contains("./ changed"), "folders inside are watched too");
+}
+
+#[test]
 fn wrong_usage_ends_at_once() {
     let bench = Bench::garden();
     bench.bosquet("derive garden --watch -o plan.doc").ends(2).says(&[".doc"]);

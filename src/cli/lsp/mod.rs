@@ -155,7 +155,7 @@ impl Server {
 
     fn initialize(&mut self, params: Value) -> Result<Value, ResponseError> {
         let params: InitializeParams = read(params)?;
-        #[allow(deprecated)]
+        #[expect(deprecated, reason = "older editors send the one folder and no list")]
         let root = params.root_uri.clone();
         let folders = params.workspace_folders.clone().unwrap_or_default().into_iter().map(|folder| folder.uri);
         let uris = folders.chain(root).filter(uri::is_file);

@@ -5,6 +5,7 @@
 
 use crate::cli::disk::Disk;
 use crate::cli::lsp::uri;
+use crate::cli::walk::{is_rules, walk};
 use bosquet::library;
 use bosquet::world::{World, WorldError};
 use lsp_types::Uri;
@@ -139,22 +140,14 @@ impl World for Texts {
     }
 }
 
-/// The rule files below a folder; hidden folders and those of other tools are passed over.
-fn rule_files(folder: &Path, depth: usize, found: &mut BTreeSet<String>) {
-    let Ok(entries) = std::fs::read_dir(folder) else { return };
-    for entry in entries.flatten() {
-        let (path, name) = (entry.path(), entry.file_name());
-        let name = name.to_string_lossy();
-        let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
-        if found.len() >= MOST_FILES {
-            return;
-        }
-        if is_folder && depth > 0 && !name.starts_with('.') && !matches!(&*name, "target" | "node_modules") {
-            rule_files(&path, depth - 1, found);
-        } else if !is_folder && name.ends_with(".cga") {
-            found.insert(path.to_string_lossy().replace('\\', "/"));
-        }
-    }
+/// The rule files below a folder; what cannot be read is passed over.
+fn rule_files(folder: &Path, deepest: usize, found: &mut BTreeSet<String>) {
+    // The one error is that there are enough.
+    drop(walk(folder, deepest, &mut |path| {
+        let rules = path.ok().filter(|path| is_rules(path));
+        found.extend(rules.map(|path| path.to_string_lossy().replace('\\', "/")));
+        if found.len() < MOST_FILES { Ok(()) } else { Err(std::io::Error::other("there are enough")) }
+    }));
 }
 
 /// Where the library is shown to editors: a folder in the user's cache that has its files, as this version has them.

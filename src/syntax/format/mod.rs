@@ -1,8 +1,10 @@
 //! Rule text → the same rules, evenly laid out. Nothing but blanks and line ends changes.
 //!
-//! In: a file that parses. Out: its text, every token and comment in its order and spelling. `structure` reads what
-//! belongs together, `gaps` what stood between the tokens, `spacing` says where a blank goes, `writer` writes tokens
-//! into lines, `layout` decides where lines break, and `align` keeps columns that the author had aligned.
+//! In: a file that parses. Out: its text, every token in its order and spelling, and every comment where it was, with
+//! one exception: one right behind a `|` that stays in its line goes before the bar, to the alternative that ends there.
+//! `structure` reads what belongs together, `gaps` what stood between the tokens, `spacing` says where a blank goes,
+//! `writer` writes tokens into lines, `layout` decides where lines break, and `align` keeps columns that the author had
+//! aligned.
 //!
 //! Structure only ever chooses between a blank and a line end, so a mistake here can look bad and cannot change a
 //! program. What the author grouped stays grouped: line breaks between operations, alternatives, arms and definitions,
