@@ -1,4 +1,4 @@
-//! Small things about words and numbers that several rooms say the same way.
+//! Small things about words, numbers and letters that several rooms say the same way.
 
 /// The candidate nearest to `word`, where one is near enough to be a likely slip of the pen.
 ///
@@ -81,6 +81,28 @@ pub fn area_words(area: f64) -> String {
     }
 }
 
+/// The characters of the Windows-1252 bytes from 0x80 on; the five unassigned ones give the control characters of Latin-1.
+const FROM_80: [char; 32] = [
+    '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}', '\u{90}', '‘', '’',
+    '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
+];
+
+/// The character of a Windows-1252 byte.
+pub fn from_windows_1252(byte: u8) -> char {
+    match byte {
+        0x80..=0x9f => FROM_80[usize::from(byte - 0x80)],
+        other => char::from(other),
+    }
+}
+
+/// The byte that [`from_windows_1252`] gives the character for; `?` where there is none.
+pub fn to_windows_1252(character: char) -> u8 {
+    match FROM_80.iter().position(|c| *c == character) {
+        Some(index) => 0x80 + index as u8,
+        None => u8::try_from(u32::from(character)).unwrap_or(b'?'),
+    }
+}
+
 fn fold(word: &str) -> String {
     word.chars().filter(|c| *c != '_' && *c != '-').flat_map(char::to_lowercase).collect()
 }
@@ -118,6 +140,13 @@ mod tests {
         assert_eq!(nearest("A", ["B", "C"]), None);
         assert_eq!(suggestion(nearest("splt", names)), ": did you mean `split`?");
         assert_eq!(suggestion(None), "");
+    }
+
+    #[test]
+    fn every_byte_of_windows_1252_comes_back() {
+        assert!((0..=u8::MAX).all(|byte| to_windows_1252(from_windows_1252(byte)) == byte));
+        assert_eq!([0x80, 0x9f, 0xe9].map(from_windows_1252), ['€', 'Ÿ', 'é']);
+        assert_eq!(to_windows_1252('漢'), b'?');
     }
 
     #[test]

@@ -52,16 +52,8 @@ impl<'a> Beginning<'a> {
         }
     }
 
-    /// The values of all attributes: those of the context first, then what the run sets, what the layout says, what
-    /// the file says.
-    ///
-    /// What `print` is given on the way goes to `told`.
-    pub fn attributes(
-        &self,
-        run: &Run,
-        context: &[(usize, Value)],
-        told: &RefCell<Vec<Value>>,
-    ) -> (Arc<[Value]>, Vec<Failure>) {
+    /// What is given from outside, in the order of the slots: by the context first, then by the run, then by the layout.
+    pub fn given(&self, run: &Run, context: &[(usize, Value)]) -> Vec<(usize, Value)> {
         let Run { program, options, .. } = *run;
         let blended = |slot: usize| context.iter().find(|(s, _)| *s == slot).map(|(_, value)| value.clone());
         let set = |slot: usize| options.set.iter().rev().find(|(s, _)| *s == slot).map(|(_, value)| value.clone());
@@ -71,6 +63,19 @@ impl<'a> Beginning<'a> {
             names.find_map(|name| self.region.attributes.get(name)).cloned()
         };
         let given = |slot: usize| blended(slot).or_else(|| set(slot)).or_else(|| said(slot));
+        (0..program.attributes.len()).filter_map(|slot| Some((slot, given(slot)?))).collect()
+    }
+
+    /// The values of all attributes: what is given, and else what the file says.
+    ///
+    /// What `print` is given on the way goes to `told`.
+    pub fn attributes(
+        &self,
+        run: &Run,
+        given: &[(usize, Value)],
+        told: &RefCell<Vec<Value>>,
+    ) -> (Arc<[Value]>, Vec<Failure>) {
+        let Run { program, options, .. } = *run;
         let mut random = self.shape.seed.random();
         let mut around = Surroundings {
             shape: &self.shape,
@@ -88,6 +93,11 @@ impl<'a> Beginning<'a> {
             tree_key: &|| "0;".into(),
             told,
         };
-        evaluate::attributes(program, given, &mut around, options.limits.calls)
+        evaluate::attributes(program, |slot| at_slot(given, slot).cloned(), &mut around, options.limits.calls)
     }
+}
+
+/// The value that is given for a slot.
+pub(super) fn at_slot(given: &[(usize, Value)], slot: usize) -> Option<&Value> {
+    given.binary_search_by_key(&slot, |(slot, _)| *slot).ok().map(|index| &given[index].1)
 }

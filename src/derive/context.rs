@@ -61,7 +61,7 @@ fn own(run: &Run, rules: &[Option<u32>]) -> Vec<Own> {
     let lot = |(region, rule): (usize, &Option<u32>)| {
         let beginning = Beginning::of(run, region, (*rule)?, looks);
         // What fails here fails again when the lot is derived, and is reported then.
-        let (values, _) = beginning.attributes(run, &[], &RefCell::default());
+        let (values, _) = beginning.attributes(run, &beginning.given(run, &[]), &RefCell::default());
         Some(Own { region, centre: beginning.region.polygon.centroid(), seed: beginning.seed, rule: (*rule)?, values })
     };
     rules.par_iter().enumerate().filter_map(lot).collect()

@@ -255,7 +255,7 @@ pub(super) fn binary(op: BinaryOp, left: Value, right: Value) -> Result<Value, S
 
 /// Arrays of numbers or texts by what comes first.
 fn sorted(op: BinaryOp, left: &Value, right: &Value) -> Result<Value, String> {
-    let order = left.as_array().zip(right.as_array()).and_then(|(a, b)| a.compare(b));
+    let order = left.as_array().zip(right.as_array()).and_then(|(a, b)| a.order(b));
     let Some(order) = order else {
         return Err(undone(left, right));
     };

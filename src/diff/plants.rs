@@ -101,7 +101,7 @@ fn lot_difference(a: Vec<Stand>, b: Vec<Stand>) -> LotDifference {
     let mut difference = LotDifference::default();
     let (pairs, a, b) = matched(a, b, |stand| (!stand.id.is_empty()).then(|| stand.id.clone()));
     pairs.into_iter().for_each(|(a, b)| difference.pair(a, b));
-    let (pairs, a, b) = matched(a, b, |stand| Some(stand.at.map(|c| (c / STILL).round() as i64)));
+    let (pairs, a, b) = met(a, b);
     pairs.into_iter().for_each(|(a, b)| difference.pair(a, b));
     (difference.removed, difference.added) = (a, b);
     difference
@@ -139,6 +139,35 @@ fn matched<K: Ord>(a: Vec<Stand>, b: Vec<Stand>, key: impl Fn(&Stand) -> Option<
     }
     right.extend(waiting.into_values().flatten());
     (pairs, left, right)
+}
+
+/// Pairs on the same spot, the nearest of those within reach, and what is left over on both sides.
+fn met(a: Vec<Stand>, b: Vec<Stand>) -> Matched {
+    let mut bins: BTreeMap<[i64; 2], Vec<usize>> = BTreeMap::new();
+    b.iter().enumerate().for_each(|(index, stand)| bins.entry(bin(stand)).or_default().push(index));
+    let mut right: Vec<Option<Stand>> = b.into_iter().map(Some).collect();
+    let (mut pairs, mut left) = (Vec::new(), Vec::new());
+    for stand in a {
+        let here = DVec2::from(stand.at);
+        let [x, y] = bin(&stand);
+        // Two that stand together may lie on both sides of an edge between bins.
+        let around = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [x.saturating_add(i), y.saturating_add(j)]));
+        let near = around.filter_map(|bin| bins.get(&bin)).flatten().filter_map(|index| {
+            let distance = here.distance(DVec2::from(right[*index].as_ref()?.at));
+            (distance <= STILL).then_some((distance, *index))
+        });
+        let nearest = near.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        match nearest.and_then(|(_, index)| right[index].take()) {
+            Some(other) => pairs.push((stand, other)),
+            None => left.push(stand),
+        }
+    }
+    (pairs, left, right.into_iter().flatten().collect())
+}
+
+/// The square of the plan, as wide as plants count as still, in which a plant stands.
+fn bin(stand: &Stand) -> [i64; 2] {
+    stand.at.map(|c| (c / STILL).round() as i64)
 }
 
 /// To a tenth of a millimetre, as files are written.

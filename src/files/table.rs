@@ -16,7 +16,7 @@ pub struct Table {
     pub remark: Option<String>,
 }
 
-/// Cells of one table.
+/// Cells of one table: the one array that may be larger than the limit `array`, since a file's size bounds it.
 const MOST_CELLS: usize = 10_000_000;
 /// Lines from which the delimiter is told.
 const LINES_TO_TELL: usize = 50;

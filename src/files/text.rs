@@ -1,5 +1,7 @@
 //! Bytes → text: UTF-8 and UTF-16 by their marks, else UTF-8, else Windows-1252, as spreadsheets still write it.
 
+use crate::text::from_windows_1252;
+
 /// The text of a file.
 pub fn decode(bytes: &[u8]) -> String {
     match bytes {
@@ -13,7 +15,7 @@ pub fn decode(bytes: &[u8]) -> String {
 fn plain(bytes: &[u8]) -> String {
     match std::str::from_utf8(bytes) {
         Ok(text) => text.into(),
-        Err(_) => bytes.iter().map(|byte| windows_1252(*byte)).collect(),
+        Err(_) => bytes.iter().map(|byte| from_windows_1252(*byte)).collect(),
     }
 }
 
@@ -27,15 +29,4 @@ pub fn clean(text: &str) -> String {
     let text = text.replace("\r\n", "\n").replace('\r', "\n");
     let is_unprintable = |c: char| c.is_control() && c != '\n' && c != '\t';
     if text.contains(is_unprintable) { text.replace(is_unprintable, "?") } else { text }
-}
-
-fn windows_1252(byte: u8) -> char {
-    const HIGH: [char; 32] = [
-        '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}', '\u{90}', '‘',
-        '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
-    ];
-    match byte {
-        0x80..=0x9f => HIGH[usize::from(byte - 0x80)],
-        byte => byte.into(),
-    }
 }

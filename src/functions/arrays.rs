@@ -1,8 +1,8 @@
 //! Arrays: sizes, sums, orders, search, and new arrays from old ones. Indices count from 0, row by row.
 
 use crate::functions::args::{any, array_at, number, text_at, wrong};
-use crate::functions::{Function, Gives, order};
-use crate::value::{Array, Cells, Value};
+use crate::functions::{Function, Gives};
+use crate::value::{Array, Cells, Value, order_of_numbers};
 
 macro_rules! size {
     ($name:literal, $docs:literal, $f:expr) => {
@@ -75,7 +75,7 @@ pub(super) static LIST: &[Function] = &[
             let array = array_at(args, 0)?;
             let mut indices: Vec<usize> = (0..array.len()).collect();
             match array.cells() {
-                Cells::Numbers(numbers) => indices.sort_by(|a, b| order::numbers(numbers[*a], numbers[*b])),
+                Cells::Numbers(numbers) => indices.sort_by(|a, b| order_of_numbers(numbers[*a], numbers[*b])),
                 Cells::Texts(texts) => indices.sort_by(|a, b| texts[*a].cmp(&texts[*b])),
                 Cells::Truths(_) => return Err(wrong("an array of numbers or texts", &args[0])),
             }
@@ -95,7 +95,7 @@ pub(super) static LIST: &[Function] = &[
                 return Err(wrong("an array of numbers or texts", &args[0]));
             }
             let mut indices: Vec<usize> = (0..array.rows()).collect();
-            indices.sort_by(|a, b| order::rows(array, *a, array, *b).expect("one kind that has an order"));
+            indices.sort_by(|a, b| array.order_of_rows(*a, array, *b).expect("one kind that has an order"));
             Ok(row_of(indices))
         },
     )

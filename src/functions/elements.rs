@@ -2,10 +2,7 @@
 
 use crate::functions::args::{any, array_at, wrong};
 use crate::functions::{Function, Gives};
-use crate::value::{Array, Cells, Value};
-
-/// Values that an array may grow to.
-const MOST_CELLS: usize = 1_000_000;
+use crate::value::{Array, Cells, MOST_CELLS, Value, within_cells};
 
 pub(super) static LIST: &[Function] = &[Function::new(
     "setElems",
@@ -92,10 +89,7 @@ fn values_for(array: &Array, values: &Value, places: usize, columns: Option<usiz
 
 /// The cells of an array in more rows and columns; what is new is 0, `false` or empty.
 fn grown(array: &Array, rows: usize, columns: usize) -> Result<Cells, String> {
-    if rows.saturating_mul(columns) > MOST_CELLS {
-        let wanted = rows.saturating_mul(columns);
-        return Err(format!("would make an array of {wanted} values: there may be {MOST_CELLS}"));
-    }
+    within_cells(rows as f64 * columns as f64)?;
     let (old, wide) = (array.columns(), columns);
     Ok(match array.cells() {
         Cells::Numbers(cells) => Cells::Numbers(laid(cells, old, rows, wide, &0.0)),

@@ -1,7 +1,6 @@
 //! Numbers. Angles are degrees, as in CityEngine. What rounds or asks takes arrays too, and gives one of the same rows.
 
 use crate::functions::args::{any, number, wrong};
-use crate::functions::order::order;
 use crate::functions::{Function, Gives, Surroundings};
 use crate::value::{Array, Cells, Value};
 use std::cmp::Ordering;
@@ -147,7 +146,7 @@ fn lesser(args: &[Value], _: &mut Surroundings, wanted: Ordering) -> Result<Valu
     if let (Some(a), Some(b)) = (a.as_float(), b.as_float()) {
         return Ok(Value::Float(if wanted == Ordering::Less { a.min(b) } else { a.max(b) }));
     }
-    match order(a, b) {
+    match a.order(b) {
         Some(order) => Ok(if order == wanted { a } else { b }.clone()),
         None => Err(format!("takes two values of one kind, found {} and {}", a.type_name(), b.type_name())),
     }

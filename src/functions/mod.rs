@@ -21,7 +21,6 @@ mod lists;
 mod material;
 mod math;
 mod occlusion;
-mod order;
 mod position;
 mod ramps;
 mod random;

@@ -4,7 +4,7 @@ use crate::functions::args::{any, number, text_at};
 use crate::functions::arrays::{characters, place};
 use crate::functions::{Function, Gives};
 use crate::pattern::Regex;
-use crate::value::{Array, Cells, Value, within_text};
+use crate::value::{Array, Cells, Value, within_cells, within_text};
 use std::sync::Arc;
 
 pub(super) static LIST: &[Function] = &[
@@ -110,6 +110,7 @@ pub(super) static LIST: &[Function] = &[
                 Some(expression) => Regex::new(expression)?.split(text).into_iter().map(Into::into).collect(),
                 None => text.split(delimiter).map(Into::into).collect(),
             };
+            within_cells(parts.len() as f64)?;
             Ok(Value::Array(Array::row(Cells::Texts(parts)).into()))
         },
     )

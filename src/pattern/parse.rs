@@ -80,7 +80,11 @@ impl Parser<'_> {
         let mut nodes = Vec::new();
         while let Some(letter) = self.rest.next_if(|letter| !matches!(letter, '|' | ')')) {
             let node = self.atom(letter)?;
-            nodes.push(self.repeated(node)?);
+            let node = self.repeated(node)?;
+            // What is nothing would be repeated without ever coming to the limit of steps.
+            if !is_nothing(&node) {
+                nodes.push(node);
+            }
         }
         Ok(Node::Sequence(nodes))
     }
@@ -216,6 +220,15 @@ impl Parser<'_> {
         let digits: String = self.rest.by_ref().take(2).collect();
         let code = u8::from_str_radix(&digits, 16);
         code.map(char::from).map_err(|_| format!("has `\\x{digits}`, which is no letter"))
+    }
+}
+
+/// Whether it fits the empty text alone, and at every place.
+fn is_nothing(node: &Node) -> bool {
+    match node {
+        Node::Sequence(nodes) => nodes.is_empty(),
+        Node::Repeat(inner, _, most, _) => *most == Some(0) || is_nothing(inner),
+        Node::Set(_) | Node::Edge(_) | Node::Either(_) => false,
     }
 }
 

@@ -225,6 +225,11 @@ mod tests {
         assert!(
             Regex::new("(?<=b)").is_err() && Regex::new("a{3,2}").is_err() && Regex::new("((a{1000}){1000})").is_err()
         );
+        for nothing in ["", "a{0}", "((){2}|a){0}"] {
+            let thrice = format!("x(((({nothing}){{1000}}){{1000}}){{1000}}){{1000}}y");
+            assert!(Regex::new(&thrice).unwrap().fits("xy"));
+        }
+        assert!(Regex::new("((((|){1000}){1000}){1000}){1000}").is_err());
         assert!(Regex::new(&"(".repeat(10_000)).is_err() && Regex::new("\\").is_err() && Regex::new("(a)\\1").is_err());
     }
 }

@@ -4,6 +4,7 @@
 //! tagged edge still lies on it, and what is left of a tagged face within it.
 
 use crate::geometry::{Area, Polygon};
+use crate::pattern::glob;
 use crate::shape::{Geometry, Shape};
 use glam::{DAffine3, DVec2, DVec3};
 use std::sync::Arc;
@@ -57,7 +58,7 @@ impl Tag {
     /// for any letters.
     pub fn answers(&self, query: &str) -> bool {
         let ends = self.name.match_indices('.').map(|(end, _)| end).chain([self.name.len()]);
-        ends.into_iter().any(|end| matches(query, &self.name[..end]))
+        ends.into_iter().any(|end| glob(query, &self.name[..end]))
     }
 }
 
@@ -185,28 +186,4 @@ fn distance(p: DVec3, [a, b]: &[DVec3; 2]) -> f64 {
     let length = along.length_squared();
     let share = if length > 0.0 { ((p - *a).dot(along) / length).clamp(0.0, 1.0) } else { 0.0 };
     p.distance(*a + along * share)
-}
-
-/// Whether a pattern with `?` and `*` fits a whole name.
-fn matches(pattern: &str, name: &str) -> bool {
-    let (pattern, name): (Vec<char>, Vec<char>) = (pattern.chars().collect(), name.chars().collect());
-    let (mut at, mut on, mut star) = (0, 0, None);
-    while on < name.len() {
-        match pattern.get(at) {
-            Some('*') => {
-                star = Some((at, on));
-                at += 1;
-            }
-            Some(sign) if *sign == '?' || *sign == name[on] => (at, on) = (at + 1, on + 1),
-            // Back to the last star, which takes one letter more.
-            _ => match star {
-                Some((place, taken)) => {
-                    star = Some((place, taken + 1));
-                    (at, on) = (place + 1, taken + 1);
-                }
-                None => return false,
-            },
-        }
-    }
-    pattern[at..].iter().all(|sign| *sign == '*')
 }

@@ -5,6 +5,7 @@
 //! Line ends stay as they are. Nothing here knows what the text means.
 
 use crate::diag::{Diagnostic, Span};
+use crate::text::{from_windows_1252, to_windows_1252};
 
 /// The text of a rule file.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,7 +73,7 @@ impl Source {
         let mark = if self.skipped > 0 { "\u{feff}".as_bytes() } else { &[] };
         match self.foreign {
             None => [mark, text.as_bytes()].concat(),
-            Some(_) => mark.iter().copied().chain(text.chars().map(byte_1252)).collect(),
+            Some(_) => mark.iter().copied().chain(text.chars().map(to_windows_1252)).collect(),
         }
     }
 
@@ -112,7 +113,7 @@ fn windows_1252(bytes: &[u8], valid: usize) -> (String, Vec<(u32, u32)>, Option<
         if index == valid {
             foreign = Some(Foreign { at: text.len() as u32, byte });
         }
-        let character = character_1252(byte);
+        let character = from_windows_1252(byte);
         text.push(character);
         if character.len_utf8() > 1 {
             sum += character.len_utf8() as u32 - 1;
@@ -120,28 +121,6 @@ fn windows_1252(bytes: &[u8], valid: usize) -> (String, Vec<(u32, u32)>, Option<
         }
     }
     (text, excess, foreign)
-}
-
-/// The characters of the Windows-1252 bytes from 0x80 on; the five unassigned ones give the control characters of Latin-1.
-const FROM_80: [char; 32] = [
-    '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}', '\u{90}', '‘', '’',
-    '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
-];
-
-/// The byte that [`character_1252`] gives the character for.
-fn byte_1252(character: char) -> u8 {
-    match FROM_80.iter().position(|c| *c == character) {
-        Some(index) => 0x80 + index as u8,
-        None => u8::try_from(u32::from(character)).unwrap_or(b'?'),
-    }
-}
-
-/// The character of a Windows-1252 byte.
-fn character_1252(byte: u8) -> char {
-    match byte {
-        0x80..=0x9f => FROM_80[usize::from(byte - 0x80)],
-        other => char::from(other),
-    }
 }
 
 #[cfg(test)]

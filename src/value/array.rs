@@ -1,7 +1,6 @@
 //! Arrays: one or two dimensions of numbers, truth values or texts (CGA's `float[]`, `bool[]`, `string[]`).
 
 use crate::value::Value;
-use std::cmp::Ordering;
 use std::fmt;
 use std::sync::Arc;
 
@@ -75,24 +74,6 @@ impl Array {
         self.at(if inside { row * self.columns + column } else { usize::MAX })
     }
 
-    /// Which of two comes first: row by row by the first value that differs, then the one with fewer columns, then the
-    /// one with fewer rows. `None` for truth values, different types and what is not a number.
-    pub fn compare(&self, other: &Array) -> Option<Ordering> {
-        let columns = self.columns.min(other.columns);
-        for row in 0..self.rows().min(other.rows()) {
-            for column in 0..columns {
-                match compare(&self.cell(row, column), &other.cell(row, column))? {
-                    Ordering::Equal => {}
-                    unequal => return Some(unequal),
-                }
-            }
-            if row == 0 && self.columns != other.columns {
-                break;
-            }
-        }
-        Some(self.columns.cmp(&other.columns).then(self.rows().cmp(&other.rows())))
-    }
-
     /// The word for its type, as messages say it.
     pub fn type_name(&self) -> &'static str {
         match self.cells {
@@ -100,14 +81,6 @@ impl Array {
             Cells::Truths(_) => "an array of truth values",
             Cells::Texts(_) => "an array of texts",
         }
-    }
-}
-
-fn compare(a: &Value, b: &Value) -> Option<Ordering> {
-    match (a, b) {
-        (Value::Float(a), Value::Float(b)) => a.partial_cmp(b),
-        (Value::Text(a), Value::Text(b)) => Some(a.cmp(b)),
-        _ => None,
     }
 }
 

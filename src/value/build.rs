@@ -2,20 +2,25 @@
 
 use crate::value::{Array, Cells, Value};
 
-/// The largest array that an expression makes: CityEngine's default.
+/// The largest array that an expression or a function makes: CityEngine's default. Tables of files alone may be larger.
 pub const MOST_CELLS: usize = 100_000;
+/// Share of its steps by which a range may miss its end.
+const NEARLY: f64 = 1e-9;
 
 impl Array {
     /// `from`, `from + step`, … as far as `to`; nothing where the step leads away from it or is 0.
+    ///
+    /// An end that only rounding has moved out of reach is reached: `[0 : 0.1 : 0.3]` has four values.
     pub fn range(from: f64, step: f64, to: f64) -> Result<Array, String> {
-        let count = if step == 0.0 { 0.0 } else { ((to - from) / step).floor() + 1.0 };
-        within_limit(count.max(0.0))?;
+        let steps = (to - from) / step;
+        let count = if step == 0.0 { 0.0 } else { (steps + NEARLY * steps.abs().max(1.0)).floor() + 1.0 };
+        within_cells(count.max(0.0))?;
         Ok(Array::row(Cells::Numbers((0..count as usize).map(|index| from + index as f64 * step).collect())))
     }
 
     /// Rows of values and arrays: side by side within a row, then one row below the other. What is empty adds nothing.
     pub fn joined(rows: &[Vec<Value>]) -> Result<Array, String> {
-        within_limit(rows.iter().flatten().map(|value| shape(value).0 * shape(value).1).sum::<usize>() as f64)?;
+        within_cells(rows.iter().flatten().map(|value| shape(value).0 * shape(value).1).sum::<usize>() as f64)?;
         let (mut columns, mut values) = (0, Vec::new());
         for row in rows {
             let width: usize = row.iter().filter(|value| !is_empty(value)).map(|value| shape(value).1).sum();
@@ -92,7 +97,7 @@ fn is_empty(value: &Value) -> bool {
 }
 
 /// An error where an array would have more values than the limit.
-pub(super) fn within_limit(count: f64) -> Result<(), String> {
+pub fn within_cells(count: f64) -> Result<(), String> {
     if count <= MOST_CELLS as f64 || count.is_nan() {
         return Ok(());
     }

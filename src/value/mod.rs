@@ -4,11 +4,13 @@ mod array;
 mod build;
 mod each;
 mod long;
+mod order;
 mod pick;
 
 pub use array::{Array, Cells};
-pub use build::MOST_CELLS;
+pub use build::{MOST_CELLS, within_cells};
 pub use long::{MOST_TEXT, within_text};
+pub use order::order_of_numbers;
 
 use std::fmt;
 use std::sync::Arc;

@@ -1,6 +1,6 @@
 //! `a[i]`, `a[row, column]`: values of an array by number, by an array of numbers, or where an array says `true`.
 
-use crate::value::build::within_limit;
+use crate::value::build::within_cells;
 use crate::value::{Array, Cells, Value};
 use std::sync::Arc;
 
@@ -24,7 +24,7 @@ impl Array {
             [Places::One(row), Places::One(column)] => Ok(self.cell(*row, *column)),
             [rows, columns] => {
                 let (rows, columns) = (rows.all(), columns.all());
-                within_limit(rows.len() as f64 * columns.len() as f64)?;
+                within_cells(rows.len() as f64 * columns.len() as f64)?;
                 let all: Vec<usize> =
                     rows.iter().flat_map(|row| columns.iter().map(|c| self.place(*row, *c))).collect();
                 Ok(self.gathered(columns.len(), &all))

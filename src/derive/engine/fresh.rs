@@ -1,6 +1,7 @@
 //! Dynamic imports: the attributes of an import found anew for one call.
 
 use crate::check::{Fresh, Renewed};
+use crate::derive::beginning::at_slot;
 use crate::derive::engine::{Current, Engine, Stop, Turn};
 use crate::derive::evaluate::{self, Names};
 use crate::derive::frame::Frame;
@@ -10,7 +11,7 @@ use std::sync::Arc;
 
 impl Engine<'_> {
     /// The attributes with which a rule of a dynamic import begins: what the call gives first, then all others of the
-    /// import in their order, each with numbers of its own from the seed of the successor.
+    /// import in their order, as the lot was given them or else with numbers of their own from the seed of the successor.
     pub(super) fn fresh(
         &mut self,
         fresh: &Fresh,
@@ -35,6 +36,11 @@ impl Engine<'_> {
         given.into_iter().for_each(|(slot, value)| attributes[slot as usize] = value);
         for (slot, renewed) in &fresh.anew {
             let attribute = &self.program.attributes[*slot as usize];
+            let outside = at_slot(&self.given, *slot as usize).filter(|_| matches!(renewed, Renewed::Initial));
+            if let Some(value) = outside {
+                Arc::make_mut(&mut current.shape.attributes)[*slot as usize] = value.clone();
+                continue;
+            }
             let code = match renewed {
                 Renewed::Initial => &attribute.initial,
                 Renewed::Protected(code) => code,

@@ -33,12 +33,14 @@ impl Engine<'_> {
             shape.seed = seed.child(index as u64);
             let inner = Current::new(shape, self.branch(current.branch));
             let (waiting, first) = (std::mem::take(&mut self.queue), self.outcome.leaves.len());
+            let aside = self.set_aside(turn.node);
             let mut done = self.body(body, turn, inner);
             self.queue.reverse();
             if done.is_ok() {
                 done = self.work();
             }
             self.queue = waiting;
+            self.taken_up(turn.node, aside);
             operands.push(self.taken(first));
             if done.is_err() {
                 self.inside -= 1;
@@ -52,7 +54,9 @@ impl Engine<'_> {
     /// The leaves from the `first`-th on, taken out where they are needed.
     fn taken(&mut self, first: usize) -> Vec<Shape> {
         let mut made = Vec::new();
-        for leaf in self.outcome.leaves.split_off(first) {
+        let leaves = self.outcome.leaves.split_off(first);
+        self.unbuilt(first, leaves.iter().map(|leaf| is_matter(&leaf.shape)));
+        for leaf in leaves {
             match is_matter(&leaf.shape) {
                 true => made.push(*leaf.shape),
                 false => self.outcome.leaves.push(leaf),

@@ -43,7 +43,8 @@ pub(super) fn lot(run: &Run, index: usize, rule: u32, context: &[(usize, Value)]
     let Run { program, layout, options, rasters, files, names, progress, .. } = *run;
     let lot = Beginning::of(run, index, rule, program.looks_around);
     let told = RefCell::default();
-    let (attributes, failures) = lot.attributes(run, context, &told);
+    let given = lot.given(run, context);
+    let (attributes, failures) = lot.attributes(run, &given, &told);
     let symbol = program.rules[rule as usize].symbol;
     let shape = Box::new(Shape { attributes, ..lot.shape });
     let mut engine = Engine {
@@ -56,6 +57,7 @@ pub(super) fn lot(run: &Run, index: usize, rule: u32, context: &[(usize, Value)]
         progress,
         told,
         spent: Cell::new(0),
+        given,
         initial: lot.initial,
         intra: lot.intra,
         inter: lot.inter,
@@ -115,6 +117,8 @@ struct Engine<'a> {
     told: RefCell<Vec<Value>>,
     /// Calls of functions in the expression at hand.
     spent: Cell<u32>,
+    /// The attributes that are given from outside, by slot: a dynamic import keeps them.
+    given: Vec<(usize, Value)>,
     initial: Initial,
     intra: Occluders,
     inter: Occluders,

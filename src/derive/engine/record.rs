@@ -22,6 +22,12 @@ pub(super) struct Recorder {
     waiting: BTreeMap<u32, VecDeque<Vec<Event>>>,
 }
 
+/// What a rule has recorded when it turns to an operand: its trail, and the trails of its successors that wait.
+pub(super) struct Aside {
+    trail: Vec<Event>,
+    waiting: Option<VecDeque<Vec<Event>>>,
+}
+
 impl Engine<'_> {
     /// How long the trail is: [`Engine::release`] leads back to it.
     pub(super) fn mark(&self) -> usize {
@@ -45,6 +51,31 @@ impl Engine<'_> {
     pub(super) fn dropped(&mut self, node: NodeId) {
         if let Some(recorder) = &mut self.recorder {
             recorder.waiting.remove(&node.0);
+        }
+    }
+
+    /// The rule at a node turns to an operand, whose way begins with that of the rule.
+    pub(super) fn set_aside(&mut self, node: NodeId) -> Option<Aside> {
+        let recorder = self.recorder.as_mut()?;
+        Some(Aside { trail: recorder.trail.clone(), waiting: recorder.waiting.remove(&node.0) })
+    }
+
+    /// The operand is derived, or failed with successors that will not be: the rule goes on where it was.
+    pub(super) fn taken_up(&mut self, node: NodeId, aside: Option<Aside>) {
+        let Some((recorder, Aside { trail, waiting })) = self.recorder.as_mut().zip(aside) else { return };
+        recorder.trail = trail;
+        recorder.waiting.remove(&node.0);
+        if let Some(waiting) = waiting {
+            recorder.waiting.insert(node.0, waiting);
+        }
+    }
+
+    /// Some of the leaves from the `first`-th on are none after all.
+    pub(super) fn unbuilt(&mut self, first: usize, gone: impl Iterator<Item = bool>) {
+        if let Some(recorder) = &mut self.recorder {
+            let trails = recorder.record.leaves.split_off(first);
+            let kept = trails.into_iter().zip(gone).filter(|(_, gone)| !gone);
+            recorder.record.leaves.extend(kept.map(|(trail, _)| trail));
         }
     }
 

@@ -104,7 +104,7 @@ impl Wish {
         let edges = part.points().len();
         let speeds: Vec<f64> = (0..edges).map(|edge| f64::from(u8::from(!gables.contains(&edge)))).collect();
         let skeleton = StraightSkeleton::of(part, &speeds).map_err(refused)?;
-        let slope = self.steepness.slope(skeleton.latest());
+        let slope = self.steepness.slope(self.run(&skeleton, edges));
         if self.beyond.iter().all(|beyond| *beyond == 0.0) {
             return Ok(self.raised(part, skeleton, slope, 0.0, walls));
         }
@@ -127,12 +127,16 @@ impl Wish {
         Ok(mesh)
     }
 
+    /// How far planes run inwards up to the ridges, or where those are made level to their mean.
+    fn run(&self, skeleton: &StraightSkeleton, corners: usize) -> f64 {
+        if self.even { mean(&skeleton.nodes[corners..]) } else { skeleton.latest() }
+    }
+
     /// The faces of a skeleton at their heights, on a flat bottom.
     fn raised(&self, part: &Polygon, skeleton: StraightSkeleton, slope: f64, drop: f64, walls: f64) -> Mesh {
         let StraightSkeleton { mut nodes, faces } = skeleton;
         let corners = part.points().len();
-        let inner = nodes.len() - corners;
-        let mean = nodes[corners..].iter().map(|node| node.z).sum::<f64>() / inner.max(1) as f64;
+        let mean = mean(&nodes[corners..]);
         let uneven = self.even && nodes[corners..].iter().any(|node| (node.z - mean).abs() > 1e-6);
         if uneven {
             nodes[corners..].iter_mut().for_each(|node| node.z = mean);
@@ -141,6 +145,11 @@ impl Wish {
         let mesh = solid(part, &nodes, &faces, walls);
         if uneven { mesh.triangulated() } else { mesh }
     }
+}
+
+/// The mean time at which planes meet.
+fn mean(inner: &[DVec3]) -> f64 {
+    inner.iter().map(|node| node.z).sum::<f64>() / inner.len().max(1) as f64
 }
 
 fn refused(why: Unskeletal) -> Problem {
