@@ -25,6 +25,12 @@ pub fn boundary(
         return Err(PlacementError::Value { parameter: "width", found: width, allowed });
     }
     let active = difference(site.area(), &inset(rim, width));
+    if width == 0.0 {
+        // A line has no place for a dart, however long one looks for it.
+        radii.check()?;
+        amount.check()?;
+        return Ok(Placed { spots: Vec::new(), missing: amount.wanted(&active)?.unwrap_or(0) });
+    }
     let mut placed = place(&Ground::of(site).along(rim, width), &active, radii, amount, seed)?;
     turn(&mut placed.spots, rim);
     Ok(placed)
