@@ -104,7 +104,7 @@ impl Slice {
 
 /// A wall over every edge of an area.
 fn walls(mesh: &mut Mesh, area: &Area, low: &Slice, high: &Slice, map: &impl Fn(DVec2, f64) -> DVec3) {
-    for ring in area.polygons().flat_map(|part| part.rings()) {
+    for ring in area.polygons().iter().flat_map(|part| part.rings()) {
         for (a, b) in ring.iter().zip(ring.iter().cycle().skip(1)) {
             let bottom = low.edge(*a, *b).into_iter().chain([*b]).map(|p| map(p, low.height));
             let top = high.edge(*a, *b).into_iter().chain([*b]).rev().map(|p| map(p, high.height));
