@@ -174,3 +174,29 @@ fn bin(stand: &Stand) -> [i64; 2] {
 fn rounded(metres: f64) -> f64 {
     (metres * 1e4).round() / 1e4
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stand(x: f64) -> Stand {
+        let [id, class] = ["", "adult"].map(String::from);
+        Stand { id, species: "Tilia cordata".into(), class, at: [x, 5.0], height: 8.0, crown_radius: 2.0 }
+    }
+
+    #[test]
+    fn a_spot_is_the_same_on_both_sides_of_a_bin() {
+        let found = lot_difference(vec![stand(1.00045)], vec![stand(1.00055)]);
+        assert!(found.is_empty() && found.same == 1, "{found:?}");
+        let found = lot_difference(vec![stand(1.0)], vec![stand(1.0025)]);
+        assert_eq!((found.removed.len(), found.added.len()), (1, 1));
+    }
+
+    #[test]
+    fn the_nearest_spot_is_taken_once() {
+        let found = lot_difference(vec![stand(1.0), stand(1.0)], vec![stand(1.0008), stand(1.0)]);
+        assert!(found.is_empty() && found.same == 2, "{found:?}");
+        let found = lot_difference(vec![stand(1.0), stand(1.0)], vec![stand(1.0)]);
+        assert_eq!((found.removed.len(), found.same), (1, 1));
+    }
+}

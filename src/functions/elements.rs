@@ -2,7 +2,7 @@
 
 use crate::functions::args::{any, array_at, wrong};
 use crate::functions::{Function, Gives};
-use crate::value::{Array, Cells, MOST_CELLS, Value, within_cells};
+use crate::value::{Array, Cells, Value, within_cells};
 
 pub(super) static LIST: &[Function] = &[Function::new(
     "setElems",
@@ -26,7 +26,7 @@ pub(super) static LIST: &[Function] = &[Function::new(
 fn places(value: &Value) -> Result<Vec<Option<usize>>, String> {
     let index = |number: f64| {
         let whole = number.floor();
-        (whole >= 0.0).then_some(whole.min(MOST_CELLS as f64) as usize)
+        (whole >= 0.0).then_some(whole.min(f64::from(u32::MAX)) as usize)
     };
     if let Some(number) = value.as_float() {
         return Ok(vec![index(number)]);

@@ -36,7 +36,9 @@ impl Array {
         let range = |array: &Array, row: usize| row * array.columns()..(row + 1) * array.columns();
         let (own, others) = (range(self, row), range(other, other_row));
         match (self.cells(), other.cells()) {
-            (Cells::Numbers(a), Cells::Numbers(b)) => Some(slices(&a[own], &b[others], |a, b| order_of_numbers(*a, *b))),
+            (Cells::Numbers(a), Cells::Numbers(b)) => {
+                Some(slices(&a[own], &b[others], |a, b| order_of_numbers(*a, *b)))
+            }
             (Cells::Texts(a), Cells::Texts(b)) => Some(slices(&a[own], &b[others], Ord::cmp)),
             _ => None,
         }

@@ -108,3 +108,14 @@ fn where_nothing_lies_the_nearest_lot_is_named() {
     bench.bosquet("explain two.geojson --rules rules.cga").ends(2).says(&["--at"]);
     bench.bosquet("explain two.geojson --rules rules.cga --id zzz").ends(2).says(&["nothing has the id `zzz`"]);
 }
+
+#[test]
+fn what_an_operand_does_is_not_on_the_way_of_others() {
+    let bench = Bench::two_lots("Lot --> A inline B Paved.\nA --> Lawn.\nB --> offset(-2, inside) X.\n");
+    let found = records(&bench, "--at 15,4");
+    let of = |rule: &str| found.iter().find(|thing| thing["steps"].to_string().contains(rule)).expect("a surface");
+    let (lawn, paved) = (deeds(of("Lawn")), deeds(of("Paved")));
+    assert!(!lawn.iter().any(|deed| deed.contains("offset") || deed.contains("inline")), "{lawn:?}");
+    assert!(paved.iter().any(|deed| deed.contains("inline")), "{paved:?}");
+    assert!(!paved.iter().any(|deed| deed.contains("offset")), "{paved:?}");
+}

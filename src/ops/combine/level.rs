@@ -3,7 +3,8 @@
 //! A level is an area between two heights above the plane; a flat shape is a level without height. Between any two
 //! heights at which something begins or ends the sets are plane areas, and there their operation is a plane one.
 
-use crate::geometry::{self, Area, Mesh};
+use crate::geometry::{self, Area};
+use crate::ops::combine::stack::{Layer, stacked};
 use crate::ops::fit;
 use crate::shape::{Geometry, Plane, Shape};
 use glam::{DAffine2, DVec2, DVec3};
@@ -143,7 +144,7 @@ impl Levels {
         geometry::union_all(self.levels.iter().filter(covers).map(|level| &level.area))
     }
 
-    /// Makes the levels the geometry of the shape over whose plane they lie. Several are a stack of closed prisms.
+    /// Makes the levels the geometry of the shape over whose plane they lie. Several, one above the other, are one solid.
     pub fn become_of(self, shape: &mut Shape) {
         let normal = self.plane.normal();
         let geometry = match self.levels.as_slice() {
@@ -157,10 +158,9 @@ impl Levels {
                 }
             }
             stack => {
-                let mut mesh = Mesh::default();
+                let layers: Vec<Layer> = stack.iter().map(|level| (&level.area, level.low, level.high)).collect();
                 let at = |p: DVec2, height: f64| self.plane.at(p) + normal * height;
-                stack.iter().for_each(|level| mesh.append(&Mesh::prism(&level.area, level.low, level.high, at)));
-                Geometry::Mesh(Arc::new(mesh))
+                Geometry::Mesh(Arc::new(stacked(&layers, SAME, at)))
             }
         };
         fit::refit(shape, geometry);

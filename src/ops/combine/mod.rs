@@ -4,6 +4,7 @@
 //! shapes and prisms over one plane are computed exactly ([`level`]); other meshes are put together as they are.
 
 mod level;
+mod stack;
 
 use crate::geometry::Mesh;
 use crate::ops::declare::operation;
