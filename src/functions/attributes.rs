@@ -131,22 +131,22 @@ pub(super) static LIST: &[Function] = &[
     .truth()
     .settable()
     .added(),
-    attribute!("pivot.px", "Where the pivot lies in the object (metres); 0 until `setPivot` moves it.", |a| {
+    attribute!("pivot.px", "Where the pivot lies in the object (metres); the scope's origin until `setPivot` moves it.", |a| {
         Value::Float(pivot(a)[0].x)
     }),
-    attribute!("pivot.py", "Where the pivot lies in the object (metres); 0 until `setPivot` moves it.", |a| {
+    attribute!("pivot.py", "Where the pivot lies in the object (metres); the scope's origin until `setPivot` moves it.", |a| {
         Value::Float(pivot(a)[0].y)
     }),
-    attribute!("pivot.pz", "Where the pivot lies in the object (metres); 0 until `setPivot` moves it.", |a| {
+    attribute!("pivot.pz", "Where the pivot lies in the object (metres); the scope's origin until `setPivot` moves it.", |a| {
         Value::Float(pivot(a)[0].z)
     }),
-    attribute!("pivot.ox", "How the pivot is turned in the object (degrees); 0 until `setPivot` moves it.", |a| {
+    attribute!("pivot.ox", "How the pivot is turned in the object (degrees); as the scope until `setPivot` turns it.", |a| {
         Value::Float(pivot(a)[1].x)
     }),
-    attribute!("pivot.oy", "How the pivot is turned in the object (degrees); 0 until `setPivot` moves it.", |a| {
+    attribute!("pivot.oy", "How the pivot is turned in the object (degrees); as the scope until `setPivot` turns it.", |a| {
         Value::Float(pivot(a)[1].y)
     }),
-    attribute!("pivot.oz", "How the pivot is turned in the object (degrees); 0 until `setPivot` moves it.", |a| {
+    attribute!("pivot.oz", "How the pivot is turned in the object (degrees); as the scope until `setPivot` turns it.", |a| {
         Value::Float(pivot(a)[1].z)
     }),
     attribute!("trim.horizontal", "Whether solids are trimmed along level edges; bosquet keeps it for scenes.", |a| {
@@ -168,8 +168,7 @@ pub(super) static LIST: &[Function] = &[
 
 /// Place and turns of the pivot in the object's coordinates.
 fn pivot(around: &Surroundings) -> [DVec3; 2] {
-    let Some(pivot) = around.shape.attached().and_then(|surface| surface.pivot) else { return [DVec3::ZERO; 2] };
-    let object = &around.initial.object;
+    let (pivot, object) = (around.shape.pivot(), &around.initial.object);
     [object.to_local(pivot.origin), angles(object.rotation.inverse() * pivot.rotation)]
 }
 
