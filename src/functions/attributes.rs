@@ -131,24 +131,36 @@ pub(super) static LIST: &[Function] = &[
     .truth()
     .settable()
     .added(),
-    attribute!("pivot.px", "Where the pivot lies in the object (metres); the scope's origin until `setPivot` moves it.", |a| {
-        Value::Float(pivot(a)[0].x)
-    }),
-    attribute!("pivot.py", "Where the pivot lies in the object (metres); the scope's origin until `setPivot` moves it.", |a| {
-        Value::Float(pivot(a)[0].y)
-    }),
-    attribute!("pivot.pz", "Where the pivot lies in the object (metres); the scope's origin until `setPivot` moves it.", |a| {
-        Value::Float(pivot(a)[0].z)
-    }),
-    attribute!("pivot.ox", "How the pivot is turned in the object (degrees); as the scope until `setPivot` turns it.", |a| {
-        Value::Float(pivot(a)[1].x)
-    }),
-    attribute!("pivot.oy", "How the pivot is turned in the object (degrees); as the scope until `setPivot` turns it.", |a| {
-        Value::Float(pivot(a)[1].y)
-    }),
-    attribute!("pivot.oz", "How the pivot is turned in the object (degrees); as the scope until `setPivot` turns it.", |a| {
-        Value::Float(pivot(a)[1].z)
-    }),
+    attribute!(
+        "pivot.px",
+        "Where the pivot lies in the object (metres); the scope's origin until `setPivot` moves it.",
+        |a| { Value::Float(pivot(a)[0].x) }
+    ),
+    attribute!(
+        "pivot.py",
+        "Where the pivot lies in the object (metres); the scope's origin until `setPivot` moves it.",
+        |a| { Value::Float(pivot(a)[0].y) }
+    ),
+    attribute!(
+        "pivot.pz",
+        "Where the pivot lies in the object (metres); the scope's origin until `setPivot` moves it.",
+        |a| { Value::Float(pivot(a)[0].z) }
+    ),
+    attribute!(
+        "pivot.ox",
+        "How the pivot is turned in the object (degrees); as the scope until `setPivot` turns it.",
+        |a| { Value::Float(pivot(a)[1].x) }
+    ),
+    attribute!(
+        "pivot.oy",
+        "How the pivot is turned in the object (degrees); as the scope until `setPivot` turns it.",
+        |a| { Value::Float(pivot(a)[1].y) }
+    ),
+    attribute!(
+        "pivot.oz",
+        "How the pivot is turned in the object (degrees); as the scope until `setPivot` turns it.",
+        |a| { Value::Float(pivot(a)[1].z) }
+    ),
     attribute!("trim.horizontal", "Whether solids are trimmed along level edges; bosquet keeps it for scenes.", |a| {
         trim(a, 0)
     })
