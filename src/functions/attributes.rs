@@ -37,10 +37,10 @@ pub(super) static LIST: &[Function] = &[
     attribute!("split.total", "The number of parts of the last split.", |a| {
         Value::Float(f64::from(a.shape.ordinals.split.1))
     }),
-    attribute!("comp.index", "The number of the component in the last component split, from 0.", |a| {
+    attribute!("comp.index", "The number of the component among those that its selector took, from 0.", |a| {
         Value::Float(f64::from(a.shape.ordinals.comp.0))
     }),
-    attribute!("comp.total", "The number of components of the last component split.", |a| {
+    attribute!("comp.total", "The number of components that the selector of the last component split took.", |a| {
         Value::Float(f64::from(a.shape.ordinals.comp.1))
     }),
     attribute!(

@@ -21,7 +21,7 @@ operation! {
         /// The area of the remainder in m², or with `'` a share of the shape's.
         area: Size,
         /// An array with the least distance of each edge (metres). A number here or in the next place is the set of
-        /// texture coordinates, as CityEngine has it.
+        /// texture coordinates that `uv.…` words look at, as CityEngine has it.
         min: PerEdge = PerEdge::Same(0.0) => "0",
         /// An array with the greatest distance of each edge (metres).
         max: PerEdge = PerEdge::Same(0.0) => "any",

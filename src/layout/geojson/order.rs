@@ -20,6 +20,9 @@ pub struct Order {
 impl Order {
     /// Where the edges of a polygon's outline come from, by the ring that the file has, without its closing point.
     pub fn of(ring: &[DVec2], polygon: &Polygon) -> Order {
+        if polygon.outer() == ring {
+            return Order { count: ring.len(), edges: Some((0..ring.len()).collect()) };
+        }
         let bits = |p: DVec2| [p.x.to_bits(), p.y.to_bits()];
         let ends = ring.iter().zip(ring.iter().cycle().skip(1)).filter(|(a, b)| a != b);
         let numbers = (0..ring.len()).filter(|index| ring[*index] != ring[(index + 1) % ring.len()]);
