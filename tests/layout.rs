@@ -416,3 +416,26 @@ proptest! {
         prop_assert!(points[0].distance(DVec2::new(x, y)) < 1e-9);
     }
 }
+
+/// `streetWidth` of a lot whose outline has these corners.
+fn street_widths(corners: &[[f64; 2]], widths: &[f64]) -> (Value, Vec<Diagnostic>) {
+    let ring: Vec<[f64; 2]> = corners.iter().chain(corners.first()).copied().collect();
+    let geometry = json!({"type": "Polygon", "coordinates": [ring]});
+    let lot = feature("a", json!({"kind": "lot", "streetWidth": widths}), geometry);
+    let (layout, diagnostics) = read(&local(vec![lot]));
+    (region(&layout, "a").attributes["streetWidth"].clone(), diagnostics)
+}
+
+#[test]
+fn lists_by_edge_follow_the_edges() {
+    let row = |numbers: &[f64]| Value::Array(Arc::new(Array::row(Cells::Numbers(numbers.to_vec()))));
+    let clockwise = [[0.0, 0.0], [0.0, 30.0], [40.0, 30.0], [40.0, 0.0]];
+    // The street lies in the north; from the same first corner the edges are south, east, north, west.
+    assert_eq!(street_widths(&clockwise, &[0.0, 6.0, 0.0, 0.0]).0, row(&[0.0, 0.0, 6.0, 0.0]));
+    let repeated = [[0.0, 0.0], [40.0, 0.0], [40.0, 0.0], [40.0, 30.0], [0.0, 30.0]];
+    assert_eq!(street_widths(&repeated, &[0.0, 0.0, 6.0, 0.0, 0.0]).0, row(&[0.0, 6.0, 0.0, 0.0]));
+    let ring = json!([[0, 0], [40, 30], [40, 0], [0, 30], [0, 0]]);
+    let geometry = json!({"type": "Polygon", "coordinates": [ring]});
+    let (_, told) = read(&local(vec![feature("b", json!({"streetWidth": [1, 0, 0, 0]}), geometry)]));
+    assert_eq!(of(&told, "layout-edges").len(), 1, "a bow tie has other edges");
+}

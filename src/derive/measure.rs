@@ -7,7 +7,7 @@ use crate::check::Measure;
 use crate::derive::evaluate::{Failure, Names, evaluate, reborrow};
 use crate::derive::select;
 use crate::functions::Surroundings;
-use crate::ops::{Choice, Component, Gather, Problem};
+use crate::ops::{self, Component, Gather, Problem};
 use crate::shape::Shape;
 use crate::value::{Array, Cells, MOST_CELLS, Value};
 use smallvec::SmallVec;
@@ -23,7 +23,8 @@ pub(super) fn measure(measure: &Measure, names: &Names, around: &mut Surrounding
     let components = measure.operation.components(&mut args, around.shape);
     let mut components = components.and_then(within_limit).map_err(|problem| failure(measure, problem.message))?;
     let chosen = select::choose(&measure.selectors, &components, names, around)?;
-    count(&mut components, &chosen);
+    let taken = chosen.iter().zip(&mut components);
+    ops::count(taken.filter_map(|(choice, component)| Some(((*choice)?.entry, &mut component.shape))));
     let mut values: Vec<Option<Value>> = vec![None; components.len()];
     for (entry, code) in measure.values.iter().enumerate() {
         let taken = |index: &usize| chosen[*index].is_some_and(|choice| usize::from(choice.entry) == entry);
@@ -59,23 +60,11 @@ fn on(shape: &Shape, code: &crate::check::Code, names: &Names, around: &mut Surr
     evaluate(code, names, &mut Surroundings { shape, ..reborrow(around) })
 }
 
-/// Numbers the components that each entry has taken.
-fn count(components: &mut [Component], chosen: &[Option<Choice>]) {
-    let entries = chosen.iter().flatten().map(|choice| usize::from(choice.entry) + 1).max().unwrap_or(0);
-    let (mut totals, mut next) = (vec![0u32; entries], vec![0u32; entries]);
-    chosen.iter().flatten().for_each(|choice| totals[usize::from(choice.entry)] += 1);
-    for (component, choice) in components.iter_mut().zip(chosen) {
-        let Some(entry) = choice.map(|choice| usize::from(choice.entry)) else { continue };
-        component.shape.ordinals.comp = (next[entry], totals[entry]);
-        next[entry] += 1;
-    }
-}
-
 /// The taken components as one shape: the faces, or, since edges and points cannot be put together, the first of them.
 fn together(parent: &Shape, components: &[Component], taken: &[usize]) -> Option<Shape> {
     let shapes: Vec<Shape> = taken.iter().map(|index| components[*index].shape.clone()).collect();
     let first = shapes.first()?.clone();
-    let joined = crate::ops::joined(parent, &shapes, Gather::All).ok().and_then(|joined| joined.into_iter().next());
+    let joined = ops::joined(parent, &shapes, Gather::All).ok().and_then(|joined| joined.into_iter().next());
     let mut shape = joined.unwrap_or(first);
     shape.ordinals.comp = (0, 1);
     Some(shape)

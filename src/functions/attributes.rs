@@ -38,10 +38,10 @@ pub(super) static LIST: &[Function] = &[
     attribute!("split.total", "The number of parts of the last split.", |a| {
         Value::Float(f64::from(a.shape.ordinals.split.1))
     }),
-    attribute!("comp.index", "The number of the component in the last component split, from 0.", |a| {
+    attribute!("comp.index", "The number of the component among those that its selector took, from 0.", |a| {
         Value::Float(f64::from(a.shape.ordinals.comp.0))
     }),
-    attribute!("comp.total", "The number of components of the last component split.", |a| {
+    attribute!("comp.total", "The number of components that the selector of the last component split took.", |a| {
         Value::Float(f64::from(a.shape.ordinals.comp.1))
     }),
     attribute!(
@@ -132,24 +132,36 @@ pub(super) static LIST: &[Function] = &[
     .truth()
     .settable()
     .added(),
-    attribute!("pivot.px", "Where the pivot lies in the object (metres); 0 until `setPivot` moves it.", |a| {
-        Value::Float(pivot(a)[0].x)
-    }),
-    attribute!("pivot.py", "Where the pivot lies in the object (metres); 0 until `setPivot` moves it.", |a| {
-        Value::Float(pivot(a)[0].y)
-    }),
-    attribute!("pivot.pz", "Where the pivot lies in the object (metres); 0 until `setPivot` moves it.", |a| {
-        Value::Float(pivot(a)[0].z)
-    }),
-    attribute!("pivot.ox", "How the pivot is turned in the object (degrees); 0 until `setPivot` moves it.", |a| {
-        Value::Float(pivot(a)[1].x)
-    }),
-    attribute!("pivot.oy", "How the pivot is turned in the object (degrees); 0 until `setPivot` moves it.", |a| {
-        Value::Float(pivot(a)[1].y)
-    }),
-    attribute!("pivot.oz", "How the pivot is turned in the object (degrees); 0 until `setPivot` moves it.", |a| {
-        Value::Float(pivot(a)[1].z)
-    }),
+    attribute!(
+        "pivot.px",
+        "Where the pivot lies in the object (metres); the scope's origin until `setPivot` moves it.",
+        |a| { Value::Float(pivot(a)[0].x) }
+    ),
+    attribute!(
+        "pivot.py",
+        "Where the pivot lies in the object (metres); the scope's origin until `setPivot` moves it.",
+        |a| { Value::Float(pivot(a)[0].y) }
+    ),
+    attribute!(
+        "pivot.pz",
+        "Where the pivot lies in the object (metres); the scope's origin until `setPivot` moves it.",
+        |a| { Value::Float(pivot(a)[0].z) }
+    ),
+    attribute!(
+        "pivot.ox",
+        "How the pivot is turned in the object (degrees); as the scope until `setPivot` turns it.",
+        |a| { Value::Float(pivot(a)[1].x) }
+    ),
+    attribute!(
+        "pivot.oy",
+        "How the pivot is turned in the object (degrees); as the scope until `setPivot` turns it.",
+        |a| { Value::Float(pivot(a)[1].y) }
+    ),
+    attribute!(
+        "pivot.oz",
+        "How the pivot is turned in the object (degrees); as the scope until `setPivot` turns it.",
+        |a| { Value::Float(pivot(a)[1].z) }
+    ),
     attribute!("trim.horizontal", "Whether solids are trimmed along level edges; bosquet keeps it for scenes.", |a| {
         trim(a, 0)
     })
@@ -169,8 +181,7 @@ pub(super) static LIST: &[Function] = &[
 
 /// Place and turns of the pivot in the object's coordinates.
 fn pivot(around: &Surroundings) -> [DVec3; 2] {
-    let Some(pivot) = around.shape.attached().and_then(|surface| surface.pivot) else { return [DVec3::ZERO; 2] };
-    let object = &around.initial.object;
+    let (pivot, object) = (around.shape.pivot(), &around.initial.object);
     [object.to_local(pivot.origin), angles(object.rotation.inverse() * pivot.rotation)]
 }
 

@@ -1,6 +1,6 @@
 //! Coordinate systems: the scope's, the object's (the lot as it was at first), the world's, and the layout's own.
 //!
-//! CityEngine's pivot lies where the object begins, and nothing moves it: `pivot` and `object` are the same.
+//! The pivot is what `setPivot` made it, and the scope's origin and axes before: what `r`, `rotate` and `translate` go by.
 
 use crate::functions::args::{number, word_at, wrong};
 use crate::functions::{Function, Gives, Surroundings};
@@ -77,6 +77,7 @@ impl Conversion {
         let frame = |index: usize| {
             Ok::<Frame, String>(match word_at(args, index, SYSTEMS)? {
                 "scope" => around.shape.scope.frame,
+                "pivot" => around.shape.pivot(),
                 "world" => Frame::WORLD,
                 _ => around.initial.object,
             })

@@ -5,37 +5,14 @@ use crate::functions::{Function, Surroundings};
 use crate::shape::{Facing, Geometry, Measure};
 use crate::value::Value;
 
-/// Which faces are meant.
-const FACING: &[&str] = &[
-    "all",
-    "surface",
-    "front",
-    "back",
-    "left",
-    "right",
-    "top",
-    "bottom",
-    "side",
-    "object.front",
-    "object.back",
-    "object.left",
-    "object.right",
-    "object.top",
-    "object.bottom",
-    "object.side",
-    "street.front",
-    "street.back",
-    "street.left",
-    "street.right",
-    "street.side",
-    "world.north",
-    "world.south",
-    "world.east",
-    "world.west",
-    "world.up",
-    "world.down",
-    "world.side",
-];
+/// Which faces are meant: all of them, or those that look one way.
+const FACING: [&str; 2 + Facing::WORDS.len()] = {
+    let mut words = ["all"; 2 + Facing::WORDS.len()];
+    words[1] = "surface";
+    let (_, ways) = words.split_at_mut(2);
+    ways.copy_from_slice(&Facing::WORDS);
+    words
+};
 
 macro_rules! measure {
     ($name:literal, $docs:literal, $f:expr) => {
@@ -54,7 +31,7 @@ pub(super) static LIST: &[Function] = &[
         "The area in m²: of all faces, or of those that look one way (`bottom`, `object.front`, `world.up` …).",
         area,
     )
-    .words(FACING),
+    .words(&FACING),
     Function::new(
         "geometry.isOriented",
         "(orientation)",
@@ -65,7 +42,7 @@ pub(super) static LIST: &[Function] = &[
             word => Ok(Value::Bool(around.shape.looks(facing(word)?))),
         },
     )
-    .words(FACING)
+    .words(&FACING)
     .truth(),
     Function::new(
         "geometry.angle",

@@ -26,6 +26,7 @@ mod spread;
 mod straight;
 mod tidy;
 mod triangulate;
+mod twins;
 
 pub use boolean::{difference, intersection, overlap_area, overlaps, union, union_all};
 pub use bounds::Bounds;

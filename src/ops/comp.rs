@@ -9,7 +9,7 @@ pub use join::joined;
 
 use crate::ops::declare::operation;
 use crate::ops::spec::choice;
-use crate::ops::{Apply, Component, Gather, Given, Part, Pieces, Problem, fit};
+use crate::ops::{Apply, Component, Gather, Given, Part, Pieces, Problem, fit, gather};
 use crate::shape::{Frame, Geometry, Plane, Scope, Shape};
 use glam::{DMat3, DQuat, DVec2, DVec3};
 use std::collections::BTreeMap;
@@ -22,7 +22,8 @@ operation! {
     /// outwards; a vertex is a point. Selectors take components from left to right: what one has taken the next does
     /// not get. After `:` stands what becomes of each component, after `=` of all taken ones in one shape, after `=:`
     /// of each set that hangs together: faces by common edges, edges as a line. `comp.index` and `comp.total` count
-    /// the components, and `comp.sel` is the word that took one.
+    /// the shapes that a selector has made; conditions in selectors, which come before, see the number among all
+    /// components. `comp.sel` is the word that took one.
     ///
     /// A group is what hangs together, and so far a shape has one material. A hole becomes the face that fills it.
     ///
@@ -113,11 +114,12 @@ impl Apply for Comp {
             let joined = joined(shape, &shapes, gather)?;
             parts.extend(joined.into_iter().map(|shape| Part::new(entry, shape)));
         }
+        gather::count(parts.iter_mut().map(|part| (part.entry, &mut *part.shape)));
         Ok(Pieces::Parts(parts))
     }
 }
 
-/// Gives components their numbers; what is left over has none.
+/// Gives components the numbers that selectors see; what is left over has none.
 pub(super) fn numbered(components: &mut [Component]) {
     let total = components.len() as u32;
     for (index, component) in components.iter_mut().enumerate() {

@@ -2,7 +2,7 @@
 
 use crate::geometry::{self, Area, Bounds};
 use crate::ops::declare::operation;
-use crate::ops::{Apply, Component, Gather, Given, Part, Pieces, Problem, Selectors, Word, color, fit};
+use crate::ops::{Apply, Component, Gather, Given, Part, Pieces, Problem, Selectors, Word, color, fit, gather};
 use crate::raster::{Measure, RasterError, without_trifles};
 use crate::shape::{Extent, Geometry, Plane, Shape};
 use crate::value::Value;
@@ -66,8 +66,7 @@ impl Apply for Coverage {
         if let Some(choice) = given.chosen[1] {
             add(choice.entry, rest);
         }
-        let total = parts.len() as u32;
-        (0..).zip(&mut parts).for_each(|(index, part)| part.shape.ordinals.comp = (index, total));
+        gather::count(parts.iter_mut().map(|part| (part.entry, &mut *part.shape)));
         Ok(Pieces::Parts(parts))
     }
 }

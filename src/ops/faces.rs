@@ -5,7 +5,7 @@
 //! points. `object.…` asks in the frame of the initial shape, `world.…` in the world's, `street.…` by the streets
 //! around the lot.
 
-use crate::shape::{Shape, StreetSide, on_plan};
+use crate::shape::{Facing, Shape, Space};
 use glam::DVec3;
 
 /// A part of a shape that a selector can take.
@@ -29,12 +29,8 @@ impl Component {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Selectors(u64);
 
-const SIDES: [&str; 6] = ["right", "left", "top", "bottom", "front", "back"];
-/// The sides in the frames of scope, object, world and street, each with as many bits as there are sides.
-const OBJECT: u32 = 6;
-const WORLD: u32 = 12;
-const STREET: u32 = 18;
-/// Words without a frame stand behind them, in this order.
+const STREET_WORDS: [&str; 2] = ["streetSide", "noStreetSide"];
+/// Words without a frame stand behind the sides of the four frames, in this order.
 const PLAIN: u32 = 24;
 const PLAIN_WORDS: [&str; 11] =
     ["horizontal", "vertical", "aslant", "nutant", "all", "border", "inside", "eave", "hip", "valley", "ridge"];
@@ -61,17 +57,8 @@ impl Selectors {
     /// The words of a component: its middle and its outward normal in the scope, and the shape it belongs to.
     pub fn of(middle: DVec3, normal: DVec3, shape: &Shape) -> Selectors {
         let world = shape.scope.frame.rotation * normal;
-        let object = side(shape.style.object.inverse() * world);
-        let street = match &shape.style.streets {
-            None => object,
-            Some(streets) => {
-                let at = on_plan(shape.scope.frame.to_world(middle));
-                let upright = world.y.abs() > UPRIGHT;
-                streets.side(at, on_plan(world)).filter(|_| !upright).map_or(0, street)
-            }
-        };
-        // North is −z: in the world `front` is south.
-        let sides = side(normal) | object << OBJECT | side(world) << WORLD | street << STREET;
+        let of_space = |space: Space| shape.side(space, middle, normal) << shift(space);
+        let sides = Space::ALL.map(of_space).into_iter().fold(0, |all, side| all | side);
         Selectors(ALL | sides | slope(world) << PLAIN)
     }
 
@@ -126,83 +113,23 @@ impl Selectors {
 
     /// Every word, for suggestions and the manual.
     pub fn words() -> impl Iterator<Item = &'static str> {
-        let far = [
-            "side",
-            "object.front",
-            "object.back",
-            "object.left",
-            "object.right",
-            "object.top",
-            "object.bottom",
-            "object.side",
-            "street.front",
-            "street.back",
-            "street.left",
-            "street.right",
-            "street.side",
-            "world.north",
-            "world.south",
-            "world.east",
-            "world.west",
-            "world.up",
-            "world.down",
-            "world.side",
-            "streetSide",
-            "noStreetSide",
-        ];
-        SIDES.into_iter().chain(PLAIN_WORDS).chain(far).chain(UV_WORDS)
+        Facing::WORDS.into_iter().chain(STREET_WORDS).chain(PLAIN_WORDS).chain(UV_WORDS)
     }
 }
 
-/// What looks up or down by more than this (the height of its unit normal) faces no street.
-const UPRIGHT: f64 = 0.98;
-
-/// The bits of a side in one of the frames.
+/// The bits of a direction.
 fn of_side(word: &str) -> Option<u64> {
-    let (space, name) = word.split_once('.').unwrap_or(("", word));
-    let shift = match space {
-        "" => 0,
-        "object" => OBJECT,
-        "world" => WORLD,
-        "street" => STREET,
-        _ => return None,
-    };
-    let sides = |bits: u64| Some(bits << shift);
-    match (space, name) {
-        ("", "streetSide") => Some(0b01_0000 << STREET),
-        ("", "noStreetSide") => Some(0b10_0011 << STREET),
-        ("street", "side") => sides(0b00_0011),
-        (_, "side") => sides(0b11_0011),
-        ("world", name) => {
-            let names = ["east", "west", "up", "down", "south", "north"];
-            names.iter().position(|n| *n == name).and_then(|index| sides(1 << index))
-        }
-        _ => SIDES.iter().position(|s| *s == name).and_then(|index| sides(1 << index)),
+    let bits = |facing: Facing| facing.sides << shift(facing.space);
+    match word {
+        "streetSide" => Facing::of_word("street.front").map(bits),
+        "noStreetSide" => ["street.back", "street.side"].into_iter().map(|word| Facing::of_word(word).map(bits)).sum(),
+        _ => Facing::of_word(word).map(bits),
     }
 }
 
-/// The bit of a street side.
-fn street(side: StreetSide) -> u64 {
-    match side {
-        StreetSide::Right => 1,
-        StreetSide::Left => 1 << 1,
-        StreetSide::Front => 1 << 4,
-        StreetSide::Back => 1 << 5,
-    }
-}
-
-/// The bit of the axis along which a direction points most.
-fn side(direction: DVec3) -> u64 {
-    let size = direction.abs();
-    let axis = if size.y >= size.x && size.y >= size.z {
-        2
-    } else if size.z >= size.x {
-        4
-    } else {
-        0
-    };
-    let along = [direction.x, direction.y, direction.z][axis / 2];
-    1 << (axis + usize::from(along < 0.0))
+/// Where the bits of a frame begin.
+fn shift(space: Space) -> u32 {
+    6 * space as u32
 }
 
 /// The bit of the slope: the angle between a face's normal and the level plane.

@@ -17,6 +17,16 @@ pub enum Gather {
     Connected,
 }
 
+/// Gives the shapes that entries have taken their `comp.index` and `comp.total`: each entry counts its own.
+pub fn count<'s>(taken: impl Iterator<Item = (u16, &'s mut Shape)>) {
+    let mut entries: BTreeMap<u16, Vec<&mut Shape>> = BTreeMap::new();
+    taken.for_each(|(entry, shape)| entries.entry(entry).or_default().push(shape));
+    for shapes in entries.into_values() {
+        let total = shapes.len() as u32;
+        (0..).zip(shapes).for_each(|(index, shape)| shape.ordinals.comp = (index, total));
+    }
+}
+
 /// Regions of one plane on their way to the entries that chose them.
 pub struct Gathered<'s> {
     parent: &'s Shape,
@@ -53,7 +63,7 @@ impl<'s> Gathered<'s> {
         self.rest.extend(shapes.into_iter().map(|shape| Part::new(choice.entry, shape)));
     }
 
-    /// All parts, those of their own first; `comp.index` and `comp.total` count them.
+    /// All parts, those of their own first; `comp.index` and `comp.total` count those of each entry.
     pub fn parts(mut self) -> Vec<Part> {
         for (entry, (gather, areas)) in std::mem::take(&mut self.waiting) {
             let whole = geometry::union_all(&areas);
@@ -66,8 +76,7 @@ impl<'s> Gathered<'s> {
             self.parts.extend(shapes);
         }
         self.parts.append(&mut self.rest);
-        let total = self.parts.len() as u32;
-        (0..).zip(&mut self.parts).for_each(|(index, part)| part.shape.ordinals.comp = (index, total));
+        count(self.parts.iter_mut().map(|part| (part.entry, &mut *part.shape)));
         self.parts
     }
 

@@ -78,7 +78,7 @@ mod without;
 
 pub use comp::joined;
 pub use faces::{Component, RoofEdge, Selectors};
-pub use gather::Gather;
+pub use gather::{Gather, count};
 pub use ground::Ground;
 pub use spec::{AttributeName, BlockKind, Origin, Param, ParamKind, Parameter, Spec, Word};
 pub use split::Cut;

@@ -1,6 +1,6 @@
 //! The edges of flat shapes: as components that selectors choose among, and moved inwards. What the setbacks share.
 
-use crate::geometry::{self, Area, Polygon};
+use crate::geometry::{self, Area, Bounds, Polygon};
 use crate::ops::gather::Gathered;
 use crate::ops::{Component, Given, Part, Problem, RoofEdge, Selectors, comp};
 use crate::shape::{Geometry, Plane, Shape};
@@ -9,8 +9,13 @@ use glam::{DVec2, DVec3};
 /// Edges nearer than this (metres) to a side of the bounds lie on it.
 const ON_SIDE: f64 = 1e-6;
 
-/// A plane that is tilted by less than this sine against level or upright is no slope.
-const LEAST_SLOPE: f64 = 0.02;
+/// What is tilted by less than this sine against level or upright is no slope.
+pub const LEAST_SLOPE: f64 = 0.02;
+
+/// Whether a face with that height of its unit normal is a slope: it looks up and is neither level nor upright.
+pub fn is_slope(rise: f64) -> bool {
+    rise > LEAST_SLOPE && rise * rise < 1.0 - LEAST_SLOPE * LEAST_SLOPE
+}
 
 /// The plane and region of a flat shape; `name` is the operation that asks.
 pub fn flat<'s>(name: &str, shape: &'s Shape) -> Result<(&'s Plane, &'s Area), Problem> {
@@ -32,28 +37,44 @@ pub fn known_uv_set(number: u32) -> Result<(), Problem> {
 }
 
 /// Every edge as a component, polygon by polygon, and then what they leave, under `remainder`.
-pub fn components(shape: &Shape, plane: &Plane, area: &Area) -> Vec<Component> {
-    let mut found = edges(shape, plane, area);
+pub fn components(shape: &Shape, plane: &Plane, area: &Area, uv_set: u32) -> Vec<Component> {
+    let mut found = along(shape, plane, area, &area.twins(), uv_set);
     found.push(Component { shape: shape.clone(), selectors: Selectors::none(), words: &["remainder"] });
     found
 }
 
-/// Every edge as a component, counted in `comp.index`. One without length is a point, so that edges keep their numbers.
+/// Every edge of every polygon as a component, counted in `comp.index`. One without length is a point, so that edges
+/// keep their numbers.
 pub fn edges(shape: &Shape, plane: &Plane, area: &Area) -> Vec<Component> {
-    let (normal, bounds) = (plane.normal(), area.bounds());
-    let slope = shape.scope.frame.rotation * normal;
-    let tilted = slope.y > LEAST_SLOPE && slope.y < 1.0 - LEAST_SLOPE;
+    along(shape, plane, area, &area.twins(), 0)
+}
+
+/// The same with what two polygons have in common once.
+pub fn edges_once(shape: &Shape, plane: &Plane, area: &Area) -> Vec<Component> {
+    let twins = area.twins();
+    let is_second = |index: usize| twins.get(index).copied().flatten().is_some_and(|twin| twin < index);
+    let found = (0..).zip(along(shape, plane, area, &twins, 0));
+    found.filter(|(index, _)| !is_second(*index)).map(|(_, component)| component).collect()
+}
+
+fn along(shape: &Shape, plane: &Plane, area: &Area, twins: &[Option<usize>], uv_set: u32) -> Vec<Component> {
+    let normal = plane.normal();
+    let chart = shape.attached().and_then(|surface| surface.chart(uv_set));
+    let uv = |p: DVec2| chart.map_or(p, |chart| chart.uv(shape.scope.frame.to_world(plane.at(p))));
+    let bounds = chart.map_or_else(|| area.bounds(), |_| Bounds::of(area.edges().map(|(a, _)| uv(a))));
+    let tilted = is_slope((shape.scope.frame.rotation * normal).y);
     let mut found = Vec::new();
     for polygon in area.polygons() {
         let outer = polygon.outer().len();
         for (index, (a, b)) in polygon.edges().enumerate() {
             let (from, to) = (plane.at(a), plane.at(b));
             let mut component = comp::edge(shape, from, to, (to - from).cross(normal));
-            component.selectors = match index < outer {
+            let is_shared = twins.get(found.len()).is_some_and(Option::is_some);
+            component.selectors = match index < outer && !is_shared {
                 true => component.selectors.border(),
                 false => component.selectors.inside(),
             };
-            component.selectors = with_uv(component.selectors, a, b, bounds);
+            component.selectors = with_uv(component.selectors, uv(a), uv(b), bounds);
             if tilted && is_eave(shape, from, to, normal) {
                 component.selectors = component.selectors.roof(RoofEdge::Eave);
             }
@@ -72,7 +93,7 @@ fn is_eave(shape: &Shape, from: DVec3, to: DVec3, normal: DVec3) -> bool {
 }
 
 /// The `uv.…` words of an edge: without texture coordinates u and v are those of the plane.
-fn with_uv(selectors: Selectors, a: DVec2, b: DVec2, bounds: geometry::Bounds) -> Selectors {
+fn with_uv(selectors: Selectors, a: DVec2, b: DVec2, bounds: Bounds) -> Selectors {
     let out = -(b - a).perp();
     let looks = match out.x.abs() >= out.y.abs() {
         true => usize::from(out.x > 0.0),

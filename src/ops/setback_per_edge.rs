@@ -25,7 +25,7 @@ impl Apply for SetbackPerEdge {
     fn components(&self, shape: &Shape) -> Result<Vec<Component>, Problem> {
         let (plane, area) = rim::flat("setbackPerEdge", shape)?;
         rim::known_uv_set(self.uv_set)?;
-        Ok(rim::components(shape, plane, area))
+        Ok(rim::components(shape, plane, area, self.uv_set))
     }
 
     fn apply(self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {

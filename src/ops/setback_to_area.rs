@@ -21,7 +21,7 @@ operation! {
         /// The area of the remainder in m², or with `'` a share of the shape's.
         area: Size,
         /// An array with the least distance of each edge (metres). A number here or in the next place is the set of
-        /// texture coordinates, as CityEngine has it.
+        /// texture coordinates that `uv.…` words look at, as CityEngine has it.
         min: PerEdge = PerEdge::Same(0.0) => "0",
         /// An array with the greatest distance of each edge (metres).
         max: PerEdge = PerEdge::Same(0.0) => "any",
@@ -39,8 +39,7 @@ const MOST_STEPS: usize = 80;
 impl Apply for SetbackToArea {
     fn components(&self, shape: &Shape) -> Result<Vec<Component>, Problem> {
         let (plane, area) = rim::flat("setbackToArea", shape)?;
-        rim::known_uv_set(self.uv_set)?;
-        Ok(rim::components(shape, plane, area))
+        Ok(rim::components(shape, plane, area, self.uv_set()?))
     }
 
     fn apply(self, shape: &mut Shape, given: &Given) -> Result<Pieces, Problem> {
@@ -76,6 +75,22 @@ impl Limits {
 }
 
 impl SetbackToArea {
+    /// The set of texture coordinates: a number among the distances is it.
+    fn uv_set(&self) -> Result<u32, Problem> {
+        let number = [&self.min, &self.max].into_iter().find_map(|distances| match distances {
+            PerEdge::Same(number) if *number != 0.0 => Some(*number),
+            _ => None,
+        });
+        match number {
+            Some(number) if number.fract() != 0.0 || !(0.0..=9.0).contains(&number) => {
+                let message = format!("there is no set {number} of texture coordinates");
+                Err(Problem::new(message).hint("they are 0 to 9; least and greatest distances are arrays"))
+            }
+            Some(number) => Ok(number as u32),
+            None => rim::known_uv_set(self.uv_set).map(|()| self.uv_set),
+        }
+    }
+
     fn limits(&self, edges: usize) -> Result<Limits, Problem> {
         let each = |distances: &PerEdge, otherwise: f64| -> Vec<f64> {
             let one = |edge| if distances.is_array() { distances.at(edge) } else { otherwise };

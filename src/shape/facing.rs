@@ -1,80 +1,25 @@
 //! Which way the faces of a shape look, how steep they are, and whether they are flat.
-//!
-//! A face looks along the axis that its normal points along most: of the scope, of the object (the lot as it was at
-//! first), or of the world, whose south is what `front` is elsewhere.
 
-use crate::geometry::Mesh;
-use crate::shape::{Geometry, Shape};
+use crate::geometry::{Face, Mesh};
+use crate::shape::{Facing, Geometry, Shape};
 use glam::DVec3;
-
-/// A direction for faces to look in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Facing {
-    space: Space,
-    /// The axis, twice, and one more for its far side; none for `side`: all level ones.
-    side: Option<usize>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Space {
-    Scope,
-    Object,
-    World,
-}
-
-const SIDES: [&str; 6] = ["right", "left", "top", "bottom", "front", "back"];
-const COMPASS: [&str; 6] = ["east", "west", "up", "down", "south", "north"];
-
-impl Facing {
-    /// The words for it: `front`, `object.left`, `world.north`. None where it is no such word.
-    pub fn of_word(word: &str) -> Option<Facing> {
-        let (space, name) = match word.split_once('.') {
-            None => (Space::Scope, word),
-            // Without street edges `street.…` means the object's sides.
-            Some(("object" | "street", name)) => (Space::Object, name),
-            Some(("world", name)) => (Space::World, name),
-            Some(_) => return None,
-        };
-        let names = if space == Space::World { COMPASS } else { SIDES };
-        let side = names.iter().position(|side| *side == name);
-        (side.is_some() || name == "side").then_some(Facing { space, side })
-    }
-
-    fn takes(self, normal: DVec3, shape: &Shape) -> bool {
-        let world = || shape.scope.frame.rotation * normal;
-        let direction = match self.space {
-            Space::Scope => normal,
-            Space::Object => shape.style.object.inverse() * world(),
-            Space::World => world(),
-        };
-        let looks = side(direction);
-        self.side.map_or(looks / 2 != 1, |wanted| wanted == looks)
-    }
-}
-
-/// The axis along which a direction points most, twice, and one more where against it.
-fn side(direction: DVec3) -> usize {
-    let size = direction.abs();
-    let axis = if size.y >= size.x && size.y >= size.z {
-        1
-    } else if size.z >= size.x {
-        2
-    } else {
-        0
-    };
-    2 * axis + usize::from(direction[axis] < 0.0)
-}
 
 impl Shape {
     /// The area of the faces that look one way, m².
     pub fn area_towards(&self, facing: Facing) -> f64 {
         let mesh = self.surface();
-        mesh.faces().filter(|face| facing.takes(face.normal(), self)).map(|face| face.area()).sum()
+        mesh.faces().filter(|face| self.takes(facing, face)).map(|face| face.area()).sum()
     }
 
     /// Whether a face looks that way.
     pub fn looks(&self, facing: Facing) -> bool {
-        self.surface().faces().any(|face| facing.takes(face.normal(), self))
+        self.surface().faces().any(|face| self.takes(facing, &face))
+    }
+
+    fn takes(&self, facing: Facing, face: &Face) -> bool {
+        let outline = face.outline();
+        let middle = face.positions(outline).sum::<DVec3>() / outline.len().max(1) as f64;
+        facing.sides & self.side(facing.space, middle, face.normal()) != 0
     }
 
     /// The steepest of its faces, or of its pieces where it is a line: degrees from level, and the way that it falls,

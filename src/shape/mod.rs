@@ -2,6 +2,7 @@
 
 mod chart;
 mod derivation;
+mod direction;
 mod facing;
 mod footprint;
 mod gap;
@@ -17,7 +18,7 @@ mod tag;
 
 pub use chart::{Chart, Course, Way};
 pub use derivation::{Derivation, LeafOf, Lot, Node, NodeId, Outcome, Print};
-pub use facing::Facing;
+pub use direction::{Facing, Space};
 pub use footprint::{Extent, Footprint, on_plan};
 pub use geometry::{Geometry, Grown, Placed, Plane};
 pub use measure::Measure;

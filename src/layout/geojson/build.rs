@@ -2,6 +2,7 @@
 
 use crate::geometry::{Polygon, repair, stroke};
 use crate::layout::geojson::document::{Flaw, Item, Parts, Place, are_degrees};
+use crate::layout::geojson::order::Order;
 use crate::layout::geojson::properties::{Properties, Words};
 use crate::layout::geojson::report::Report;
 use crate::layout::nearby::Origins;
@@ -30,6 +31,8 @@ pub struct Builder {
 #[derive(Default)]
 struct Placed {
     polygons: Vec<Polygon>,
+    /// For each polygon where its edges come from.
+    orders: Vec<Order>,
     lines: Vec<Vec<DVec2>>,
     points: Vec<DVec2>,
     is_repaired: bool,
@@ -80,7 +83,11 @@ impl Builder {
         let mut flaws = Vec::new();
         for rings in &parts.polygons {
             match self.polygons(rings, &mut placed.is_repaired) {
-                Ok(polygons) => placed.polygons.extend(polygons),
+                Ok(polygons) => {
+                    let ring = self.outline(&rings[0]);
+                    placed.orders.extend(polygons.iter().map(|polygon| Order::of(&ring, polygon)));
+                    placed.polygons.extend(polygons);
+                }
                 Err(flaw) => flaws.push(flaw),
             }
         }
@@ -122,6 +129,15 @@ impl Builder {
         if area.is_empty() { Err(Flaw::NoArea) } else { Ok(area.polygons().to_vec()) }
     }
 
+    /// The outline as the file has it, without its closing point.
+    fn outline(&self, ring: &[Place]) -> Vec<DVec2> {
+        let mut ring: Vec<DVec2> = ring.iter().filter_map(|place| self.point(place).ok()).collect();
+        if ring.len() > 1 && ring.first() == ring.last() {
+            ring.pop();
+        }
+        ring
+    }
+
     fn line(&self, line: &[Place]) -> Result<Vec<DVec2>, Flaw> {
         let mut points: Vec<DVec2> = line.iter().map(|p| self.point(p)).collect::<Result<_, _>>()?;
         points.dedup();
@@ -154,7 +170,11 @@ impl Builder {
         for (index, polygon) in polygons.into_iter().enumerate() {
             let part = || format!("{base}/{}", index + 1);
             let id = if is_one { base.clone() } else { self.region_ids.claim(&part(), report) };
-            self.layout.regions.push(facts.region(id, polygon));
+            let mut region = facts.region(id, polygon);
+            if placed.orders.get(index).is_some_and(|order| !order.settle(&mut region.attributes)) {
+                report.unsettled.add(&facts.id);
+            }
+            self.layout.regions.push(region);
             self.origins.regions.push(self.items);
         }
         true

@@ -6,6 +6,7 @@
 
 mod build;
 mod document;
+mod order;
 mod properties;
 mod report;
 

@@ -26,6 +26,8 @@ pub struct Report {
     misused: Tally,
     /// Ids that occurred before.
     pub renamed: Tally,
+    /// Items with lists by edge whose outline was cut anew.
+    pub unsettled: Tally,
     /// Items of a kind that needs an area, without one.
     pub without_area: Tally,
 }
@@ -73,6 +75,7 @@ impl Report {
             nested: Tally::default(),
             misused: Tally::default(),
             renamed: Tally::default(),
+            unsettled: Tally::default(),
             without_area: Tally::default(),
         }
     }
@@ -136,6 +139,11 @@ impl Report {
                 &self.repaired,
                 "layout-repaired",
                 "outlines that were open, repeated points or crossed themselves are repaired",
+            ),
+            (
+                &self.unsettled,
+                "layout-edges",
+                "lists as long as the outline keep the file's order: the outline crossed itself, and its edges are others",
             ),
             (&self.renamed, "layout-id", "ids that occur more than once have got a suffix `-2`, `-3` …"),
             (

@@ -6,9 +6,6 @@ use crate::ops::{Component, RoofEdge, Selectors, fit, rim};
 use crate::shape::{Geometry, Shape};
 use glam::DVec3;
 
-/// A face is a slope where its unit normal rises by more than this and less than one minus this.
-const LEAST_SLOPE: f64 = 0.02;
-
 /// An edge as a shape: x along it, z outwards. Without length it is a point.
 pub(in crate::ops) fn edge(parent: &Shape, from: DVec3, to: DVec3, outward: DVec3) -> Component {
     let axes = (to - from).try_normalize().and_then(|x| Some((x, outward.reject_from(x).try_normalize()?)));
@@ -26,7 +23,7 @@ pub(in crate::ops) fn edge(parent: &Shape, from: DVec3, to: DVec3, outward: DVec
 pub(super) fn edges(shape: &Shape) -> Vec<Component> {
     let found = match &shape.geometry {
         Geometry::Path(points) => path_edges(shape, points),
-        Geometry::Flat(plane, area) => rim::edges(shape, plane, area),
+        Geometry::Flat(plane, area) => rim::edges_once(shape, plane, area),
         _ => solid_edges(shape),
     };
     with_length(found)
@@ -146,7 +143,7 @@ impl<'m> Roof<'m> {
     /// Whether it is the level foot of a slope with no other slope beyond.
     fn is_eave(&self, edge: &Edge) -> bool {
         let along = self.along(edge);
-        let level = along.dot(self.up).abs() < LEAST_SLOPE * along.length();
+        let level = along.dot(self.up).abs() < rim::LEAST_SLOPE * along.length();
         let foot = |face: u32, along: DVec3| {
             self.is_slope(face) && along.cross(self.normals[face as usize]).dot(self.up) < 0.0
         };
@@ -160,8 +157,7 @@ impl<'m> Roof<'m> {
     }
 
     fn is_slope(&self, face: u32) -> bool {
-        let rise = self.normals[face as usize].dot(self.up);
-        rise > LEAST_SLOPE && rise < 1.0 - LEAST_SLOPE * LEAST_SLOPE
+        rim::is_slope(self.normals[face as usize].dot(self.up))
     }
 
     fn along(&self, edge: &Edge) -> DVec3 {

@@ -1,6 +1,6 @@
 //! Faces, holes, groups and materials as components.
 
-use crate::geometry::{Area, Mesh, Polygon};
+use crate::geometry::{Area, Bounds, BoxGrid, Mesh, Polygon, nearest_on_segment};
 use crate::ops::comp::framed;
 use crate::ops::{Component, Selectors, fit};
 use crate::shape::{Geometry, Plane, Shape};
@@ -13,18 +13,18 @@ pub(super) const ALONG: f64 = 1e-4;
 /// Every face, z along its normal.
 pub(super) fn faces(shape: &Shape) -> Vec<Component> {
     let mesh = shape.local_mesh().unwrap_or_default();
-    let open = if let Geometry::Mesh(_) = &shape.geometry { open_faces(&mesh) } else { Vec::new() };
+    let inside = match &shape.geometry {
+        Geometry::Flat(_, area) => surrounded(area),
+        Geometry::Mesh(_) => open_faces(&mesh).into_iter().map(|open| !open).collect(),
+        // Prisms are closed.
+        _ => vec![true; mesh.face_count()],
+    };
     let found = mesh.faces().enumerate().filter_map(|(index, face)| {
         let normal = face.normal();
         let rings: Vec<Vec<DVec3>> = face.rings().map(|ring| face.positions(ring).collect()).collect();
         let child = face_shape(shape, &rings, normal)?;
         let selectors = Selectors::of(middle(&rings[0]), normal, shape);
-        let inside = match &shape.geometry {
-            Geometry::Flat(_, area) => is_surrounded(area, index),
-            // Prisms are closed.
-            _ => !open.get(index).is_some_and(|open| *open),
-        };
-        let selectors = if inside { selectors.inside() } else { selectors.border() };
+        let selectors = if inside[index] { selectors.inside() } else { selectors.border() };
         Some(Component { selectors, shape: child, words: &[] })
     });
     found.collect()
@@ -98,12 +98,24 @@ fn open_faces(mesh: &Mesh) -> Vec<bool> {
     open
 }
 
-/// Whether the outline of a part runs along other parts all around: what `offset` leaves inside its band. Cost: the
-/// vertices of the part times those of all others.
-fn is_surrounded(area: &Area, index: usize) -> bool {
+/// For each part whether its outline runs along other parts all around: what `offset` leaves inside its band. About
+/// linear in the vertices.
+fn surrounded(area: &Area) -> Vec<bool> {
     let polygons = area.polygons();
-    let others: Area = (0..polygons.len()).filter(|i| *i != index).map(|i| polygons[i].clone()).collect();
-    !others.is_empty() && polygons[index].outer().iter().all(|p| others.distance_to_edges(*p) < ALONG)
+    if polygons.len() < 2 {
+        return vec![false; polygons.len()];
+    }
+    let edges: Vec<(usize, (DVec2, DVec2))> =
+        polygons.iter().enumerate().flat_map(|(part, p)| p.edges().map(move |edge| (part, edge))).collect();
+    let boxes: Vec<Bounds> = edges.iter().map(|(_, (a, b))| Bounds::of([*a, *b]).grown(ALONG)).collect();
+    let grid = BoxGrid::new(&boxes);
+    let meets_other = |part: usize, p: DVec2| {
+        grid.touching(Bounds::of([p])).any(|index| {
+            let (other, (a, b)) = edges[index];
+            other != part && nearest_on_segment(p, a, b).distance(p) < ALONG
+        })
+    };
+    (0..).zip(polygons).map(|(part, polygon)| polygon.outer().iter().all(|p| meets_other(part, *p))).collect()
 }
 
 /// A face as a shape: z along the normal, x along the first edge.
