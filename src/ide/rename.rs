@@ -109,7 +109,8 @@ fn defined_clash(document: &Document, class: Class, new: &str) -> Option<String>
     let used = |name: &&NameUse| document.word(name.token) == new;
     let mine = |role| match class {
         Class::Rule => matches!(role, Role::Step),
-        Class::Value => !matches!(role, Role::Step | Role::Argument(_)),
+        // What parentheses of imports and calls name is the import's.
+        Class::Value => !matches!(role, Role::Step | Role::Argument(_) | Role::Given),
         Class::Import | Class::Style => false,
     };
     match class {
