@@ -51,13 +51,13 @@ impl Lots {
     }
 
     /// The same prisms without rules: each outline turned along its first edge, moved to its corner, given a height.
-    pub fn bound(&self) -> Vec<Box<(DVec2, Area, f64)>> {
+    pub fn bound(&self) -> Vec<(DVec2, Area, f64)> {
         let prism = |region: &Region| {
             let ring = region.polygon.outer();
             let along = (ring[1] - ring[0]).normalize();
             let turned = region.polygon.mapped(|p| DVec2::new(along.dot(p), along.perp_dot(p)));
             let corner = turned.bounds().min;
-            Box::new((corner, Area::from(turned).into_translated(-corner), 10.0))
+            (corner, Area::from(turned).into_translated(-corner), 10.0)
         };
         self.layout.regions.iter().map(prism).collect()
     }

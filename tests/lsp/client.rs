@@ -31,7 +31,7 @@ fn next(output: &mut BufReader<ChildStdout>) -> Option<Value> {
             return None;
         }
         match line.trim().split_once(": ") {
-            Some((name, value)) if name == "Content-Length" => length = value.parse().ok()?,
+            Some(("Content-Length", value)) => length = value.parse().ok()?,
             Some(_) => {}
             None => break,
         }
