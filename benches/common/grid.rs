@@ -52,7 +52,8 @@ impl Grid {
             set: Vec::new(),
             catalogue: Catalogue::built_in(),
             world: &self.world,
-            limits: Limits::default(),
+            // Two shapes a cell: more than a lot has unless it is meant.
+            limits: Limits { shapes: 4_000_000, ..Limits::default() },
         };
         let (derivation, found) = derive(&self.program, &self.layout, &options, &Progress::default());
         assert!(found.is_empty(), "{found:?}");
