@@ -116,7 +116,7 @@ pub fn derive(
     run(program, layout, options, progress, None)
 }
 
-/// Derives some regions, by index, exactly as [`derive`] does, and keeps the way to every shape: some 500 bytes each.
+/// Derives some regions, by index, exactly as [`derive()`] does, and keeps the way to every shape: some 500 bytes each.
 pub fn recorded(
     program: &Program,
     layout: &Layout,

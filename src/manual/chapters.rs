@@ -11,7 +11,7 @@ pub struct Part {
     names: &'static [&'static str],
 }
 
-/// The parts in the order of the manual. What none of them names stands at the end, under [`OTHERS`].
+/// The parts in the order of the manual. What none of them names stands at the end, under `OTHERS`.
 pub static PARTS: &[Part] = &[
     Part {
         title: "Divide",

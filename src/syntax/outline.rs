@@ -39,7 +39,7 @@ pub struct Piece {
     pub bytes: std::ops::Range<u32>,
     /// Brackets without a partner: indices of tokens, in order.
     pub lone: Vec<usize>,
-    /// The first bracket deeper than [`MAX_DEPTH`].
+    /// The first bracket deeper than `MAX_DEPTH`.
     pub too_deep: Option<usize>,
 }
 
