@@ -40,7 +40,7 @@ impl Apply for Mirror {
     fn apply(self, shape: &mut Shape, _: &Given) -> Result<Pieces, Problem> {
         let signs = DVec3::from([self.x, self.y, self.z].map(|mirrored| if mirrored { -1.0 } else { 1.0 }));
         let shift = (DVec3::ONE - signs) * 0.5 * shape.scope.size;
-        let mirrored = |p: DVec3| p * signs + shift;
+        let map = DAffine3 { matrix3: DMat3::from_diagonal(signs), translation: shift };
         shape.geometry = match &shape.geometry {
             Geometry::Flat(plane, area) => {
                 let (plane, area) = flat(plane, area, signs, shift);
@@ -50,16 +50,14 @@ impl Apply for Mirror {
                 let (plane, area) = flat(plane, area, signs, shift);
                 Geometry::Prism(plane, area, *height)
             }
-            Geometry::Mesh(mesh) => {
-                let map = DAffine3 { matrix3: DMat3::from_diagonal(signs), translation: shift };
-                Geometry::Mesh(Arc::new(mesh.transformed(&map)))
-            }
-            Geometry::Path(points) => Geometry::Path(points.iter().map(|p| mirrored(*p)).collect()),
+            Geometry::Mesh(mesh) => Geometry::Mesh(Arc::new(mesh.transformed(&map))),
+            Geometry::Path(points) => Geometry::Path(points.iter().map(|p| map.transform_point3(*p)).collect()),
             Geometry::Element(_) => {
                 return Err(Problem::new("an inserted element cannot be mirrored").hint("mirror the shape before `i`"));
             }
             Geometry::Empty | Geometry::Point => return Ok(Pieces::Changed),
         };
+        shape.stretched(&map);
         Ok(Pieces::Changed)
     }
 }
